@@ -84,14 +84,13 @@ static void print_scene_help(FILE *file)
 static void print_plan_help(FILE *file)
 {
     fputs("A plan is a YAML file; clothbench list plans names those that come with the\n"
-          "program. With cases and axes it is for clothbench sweep, with levels for "
-          "clothbench\n"
+          "program. Without times it is for clothbench sweep, with times for clothbench\n"
           "study. Its keys:\n\n",
           file);
     plan_keys(print_key, file);
     fputs(
         "\nKEY is any that --set takes (clothbench help scene), scene, model, or gamma or\n"
-        "young_over_density, which set the key 'by' so that the number takes the value.\n"
+        "young_over_density, which set material.young so that the number takes the value.\n"
         "Measures of verdicts, falls and maps:\n\n",
         file);
     for (int n = 0; n < MEASURES; n++)

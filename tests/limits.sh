@@ -71,8 +71,8 @@ done
 for name in 'a\nb' 'a\e[2J' 'a\x9b2J' 'a\u0007'; do
     { printf '%s\n' "name: \"$name\"" && grep -v '^name:' "$scene"; } >name.yaml
     ends 2 'name is' "$program" run name.yaml
-    printf 'name: p\nsource: s\nscene: edge_drop\ncases: [{name: "%s"}]\n' "$name" >plan.yaml
-    ends 2 'plan.yaml:4: name is' "$program" sweep plan.yaml --out sweep
+    printf 'name: p\nsource: s\nscene: edge_drop\naxes: {a: {"%s": {}}}\n' "$name" >plan.yaml
+    ends 2 'plan.yaml:4: a label is' "$program" sweep plan.yaml --out sweep
 done
 
 # --- what people write otherwise, or meant ------------------------------------------------

@@ -9,7 +9,7 @@ folder=$2
 . "$(dirname "$0")/sweep_fixture.sh"
 
 grows() { # FILE: scene, contestant, remedy if any, and where it grows, of the rows that do
-    sed -E '/^#/d; /^name,/d; s/^(([a-z_0-9]*,)*[a-z_0-9]*),.*,("[^"]*"|)$/\1 \2/; / $/d' "$1"
+    sed -E '/^#/d; /^(name|case),/d; s/^(([a-z_0-9]*,)*[a-z_0-9]*),.*,("[^"]*"|)$/\1 \2/; / $/d' "$1"
 }
 
 for plan in refinement refinement_nets remedies; do

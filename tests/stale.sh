@@ -35,14 +35,14 @@ source: a test
 scene: ./laid.yaml
 model: mass_spring_leapfrog
 settings: {discretization.points: [6,6]}
-axes: [{key: material.young, values: [1e5, 2e5]}]
+axes: {material.young: [1e5, 2e5]}
 PLAN
 sed -e 's/swept/studied/' -e '/^axes/d' swept.yaml >studied.yaml
 cat >>studied.yaml <<'PLAN'
-levels: [{label: one}]
-studies: [{name: moves, times: [0.05, 0.1]}, {name: rests, settings: {obstacles: []}}]
+axes: {level: {one: {}}}
+studies: {moves: {times: [0.05, 0.1]}, rests: {times: [], obstacles: []}}
 PLAN
-sed -e 's/swept/named/' -e 's/key: material.young.*/key: "obstacles[0].mesh.file", values: [lower.obj]}]/' \
+sed -e 's/swept/named/' -e 's/^axes.*/axes: {"obstacles[0].mesh.file": [lower.obj]}/' \
     swept.yaml >named.yaml
 
 same() { # WHAT: it changed nothing

@@ -65,14 +65,15 @@ cat >rows.yaml <<'PLAN'
 name: rows
 source: a test
 settings: {discretization.kinematics: printed}
-cases:
-  - {name: fine, scene: edge_drop, time.end: 0.02}
-  - {name: dies, scene: edge_drop, time.end: 0.5, material.young: 5e4,
-     material.density: 0.1, damping.value: 0.9}
-  - {name: refused, scene: edge_drop, discretization.degree: [5,2,1],
-     discretization.points: [5,5,2]}
-  - {name: unsupported, scene: edge_drop, model: mass_spring,
-     discretization.kinematics: nonlinear, "supports": [{at: {u: 0, w: 0}, fix: xyz}]}
+axes:
+  case:
+    fine: {scene: edge_drop, time.end: 0.02}
+    dies: {scene: edge_drop, time.end: 0.5, material.young: 5e4,
+      material.density: 0.1, damping.value: 0.9}
+    refused: {scene: edge_drop, discretization.degree: [5,2,1],
+      discretization.points: [5,5,2]}
+    unsupported: {scene: edge_drop, model: mass_spring,
+      discretization.kinematics: nonlinear, "supports": [{at: {u: 0, w: 0}, fix: xyz}]}
 intersections: true
 verdicts:
   - {label: chaotic, measure: blowup_time, below: 1e9, why: it died}
@@ -94,8 +95,8 @@ source: a test
 scene: strip_swing
 settings: {time.end: 0.25}
 axes:
-  - {key: model, values: [mass_spring_leapfrog, triangles]}
-  - {key: discretization.points, values: [[6, 6], [11, 11]]}
+  model: [mass_spring_leapfrog, triangles]
+  discretization.points: [[6, 6], [11, 11]]
 look: 20
 falls: {measure: truth_error_end, along: discretization.points, by: truth_bar_end}
 PLAN
@@ -134,12 +135,12 @@ source: a test
 scene: edge_drop
 settings: {time.end: 0.01, discretization.points: [4,4,2]}
 axes:
-  - {key: damping.value, values: [0.1, 0.9]}
-  - {key: gamma, values: [10, 100], scale: log}
-cases:
-  - {name: "it's \"a\"'; system('touch pwned'); set title '"}
-  - {name: "EOD system('touch pwned') `touch pwned` %s $x {a} \\"}
-map: {x: damping.value, y: gamma, panel: name}
+  case:
+    "it's \"a\"'; system('touch pwned'); set title '": {}
+    "EOD system('touch pwned') `touch pwned` %s $x {a} \\": {}
+  damping.value: [0.1, 0.9]
+  gamma: [10, 100]
+map: {x: damping.value, y: gamma, panel: case}
 PLAN
 run names.yaml --out names
 { [ "$code" -eq 0 ] && [ ! -s err ]; } || fail "names: exit $code: $(<err)"
@@ -155,7 +156,7 @@ source: a test
 scene: edge_drop
 model: odd
 settings: {material.density: 4} # hangs
-axes: [{key: damping.value, values: [0.1, 0.2]}]
+axes: {damping.value: [0.1, 0.2]}
 time_limit: 1e6
 PLAN
 children() {

@@ -20,17 +20,18 @@ source: a test
 scene: edge_drop
 model: odd
 settings: {time.end: 0.03}
-cases:
-  - {name: sound, material.density: 1}
-  - {name: dies, material.density: 2}
-  - {name: escapes, material.density: 3}
-  - {name: crashes, material.density: 5}
-  - {name: leaves, material.density: 6}
-  - {name: killed, material.density: 7}
-  - {name: memory, material.density: 8}
-  - {name: library, material.density: 9}
-  - {name: unsupported, material.density: 10}
-  - {name: refused, material.density: 11}
+axes:
+  case:
+    sound: {material.density: 1}
+    dies: {material.density: 2}
+    escapes: {material.density: 3}
+    crashes: {material.density: 5}
+    leaves: {material.density: 6}
+    killed: {material.density: 7}
+    memory: {material.density: 8}
+    library: {material.density: 9}
+    unsupported: {material.density: 10}
+    refused: {material.density: 11}
 look: 1
 time_limit: 1e6
 verdicts: [{label: chaotic, measure: blowup_time, below: 1e9, why: it died}]
@@ -57,8 +58,8 @@ run ends.yaml --out ends
 grep -q 'Nothing was left to run' out || fail "ended cases run again: $(<out)"
 
 # The limit is the only end of what hangs.
-sed 's/^cases:/time_limit: 0.1\ncases: [{name: a, material.density: 4}, {name: b, material.density: 4}]/
-    /^  - /d; /^time_limit: 1e6/d; s/name: ends/name: hangs/' ends.yaml >hangs.yaml
+sed 's/^axes:/time_limit: 0.1\naxes: {case: {a: {material.density: 4}, b: {material.density: 4}}}/
+    /^  case:/d; /^    [a-z]*: {/d; /^time_limit: 1e6/d; s/name: ends/name: hangs/' ends.yaml >hangs.yaml
 run hangs.yaml --out hangs
 [ "$code" -eq 0 ] || fail "hangs: exit $code: $(<err)"
 for name in a b; do row hangs $name 'none,no result,timed out after 0.1 s'; done

@@ -20,9 +20,9 @@ settings:
   discretization.points: [4,4,2]
   time.end: 0.03
 axes:
-  - {key: damping.value, from: 0.1, to: 0.9, count: $2}
-  - {key: gamma, values: [10, 100, 1000, 1e4], scale: log}
-  - {key: material.poisson, values: [0, 0.3, 0.45]}
+  damping.value: {from: 0.1, to: 0.9, count: $2}
+  gamma: [10, 100, 1000, 1e4]
+  material.poisson: [0, 0.3, 0.45]
 look: 2
 time_limit: 120
 verdicts:

@@ -28,12 +28,13 @@ cat >rows.yaml <<'PLAN'
 name: rows
 source: a test
 scene: edge_drop
-cases:
-  - {name: killed, model: odd, material.density: 7}
-  - {name: crashes, model: odd, material.density: 5}
-  - {name: refused, discretization.degree: [5,2,1], discretization.points: [5,5,2]}
-  - {name: fine, time.end: 0.02}
-  - {name: fine, time.end: 0.03}
+axes:
+  case:
+    killed: {model: odd, material.density: 7}
+    crashes: {model: odd, material.density: 5}
+    refused: {discretization.degree: [5,2,1], discretization.points: [5,5,2]}
+    fine: {time.end: 0.02}
+    fine_2: {time.end: 0.03}
 PLAN
 mkdir bin
 cp "$toy" "$(dirname "$program")/clothbench_mpi.so" bin/

@@ -69,7 +69,7 @@ static struct claim stated(const struct plan_statement *s, struct stated *room)
                           .source = s->section,
                           .timed = true,
                           .readings = s->reading_count ? room->readings : NULL,
-                          .reason = s->reason,
+                          .reason = s->reading_count ? s->readings->why : NULL,
                           .statement = s};
 }
 
@@ -177,13 +177,10 @@ enum status claim_judge(const struct claim *c, const struct study_results *d,
             st = STATUS_MEMORY;
     if (st == STATUS_OK)
         st = judge_all(c, d, file, &told->turn);
+    const bool open = told->turn == JUDGE_OPEN;
     told->turn = allowed(c, d, told->turn);
-    if (st == STATUS_OK && told->turn == JUDGE_QUICK) {
-        fflush(file[HERE]);
-        if (strstr(told->here, "nan"))
-            rewind(file[HERE]),
-                fputs("A quick run leaves out what decides this.", file[HERE]);
-    }
+    if (st == STATUS_OK && told->turn == JUDGE_QUICK && open)
+        rewind(file[HERE]), fputs("A quick run leaves out what decides this.", file[HERE]);
     for (int n = 0; n < TEXTS; n++)
         if (file[n] && fclose(file[n]) != 0)
             st = STATUS_MEMORY;

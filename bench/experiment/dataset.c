@@ -8,14 +8,7 @@
 
 const char *dataset_label(const struct study *s, int level, const char *axis)
 {
-    if (!strcmp(axis, "study"))
-        return s->plan->name;
-    if (!strcmp(axis, "caption"))
-        return s->plan->caption;
-    for (int n = 0; n < s->plan->axis_count; n++)
-        if (!strcmp(axis, s->plan->axis[n].name))
-            return s->row[level].level->part[n]->label;
-    return NULL;
+    return plan_label(s->plan, s->row[level].level, axis);
 }
 
 static bool is_at(const struct place *p, const char *label)
@@ -313,7 +306,7 @@ static struct view view_of(const struct study_results *d)
     const struct plan_settings *asked = &plan->table.columns;
     struct view v = {.d = d,
                      .alone = !asked->count,
-                     .name = plan->table.file ? plan->table.file : plan->name,
+                     .name = plan->name,
                      .caption = plan->what ? plan->what : plan->source};
 
     if (v.alone)
@@ -458,7 +451,7 @@ static double observed_order(const struct study_results *d, const struct study *
     double size[PLAN_STUDY_LEVELS], value[PLAN_STUDY_LEVELS];
     int count = 0;
 
-    for (int n = 0; n < s->plan->level_count; n++) {
+    for (int n = 0; n < s->plan->level_count && count < PLAN_STUDY_LEVELS; n++) {
         const struct place p = {d, s, n, time};
         size[count] = s->row[n].level->size;
         value[count] = quantity_at(&p, s->truth ? QUANTITY_ERROR : QUANTITY_FINEST);
@@ -627,12 +620,11 @@ enum status dataset_print(const struct study_results *d, const char *folder,
                           const struct printer *p, struct message *why)
 {
     const struct plan *plan = d->plan;
-    const char *name = plan->table.file ? plan->table.file : plan->name;
     struct view v = view_of(d);
     enum status st = STATUS_OK;
 
     if (plan->chart.x)
-        TRY(save_chart(d, folder, name, why));
+        TRY(save_chart(d, folder, plan->name, why));
     if (!v.alone)
         return print_view(&v, folder, p, why);
     for (int n = 0; n < d->count; n++) {

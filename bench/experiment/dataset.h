@@ -65,7 +65,7 @@ double dataset_exponent(const struct study_results *d, enum quantity x, enum qua
 enum status dataset_check(const struct plan *plan, struct message *why);
 
 /* Prints the table that the plan asks for, also as FOLDER/NAME.csv, and writes the points
- * of its chart as FOLDER/NAME_chart.csv; NAME is the plan's or what the plan says. Studies
+ * of its chart as FOLDER/NAME_chart.csv; NAME is the plan's. Studies
  * of a plan without a table are printed one by one, under their names: cost and differences
  * of the levels, with observed orders. */
 enum status dataset_print(const struct study_results *d, const char *folder,

@@ -1,7 +1,6 @@
 #include "bench/experiment/judge.h"
 
 #include <math.h>
-#include <unistd.h>
 
 #include "bench/ui/table.h"
 
@@ -99,29 +98,4 @@ void judge_print(FILE *file, const struct judge_told *told)
              *told->turns ? " " : "", told->turns, *told->ours ? " " : "", told->ours,
              *told->reading ? " Reading: " : "", told->reading);
     table_print_wrapped(text, file);
-}
-
-static void path_of(const char *folder, char path[4096])
-{
-    snprintf(path, 4096, "%s/quick.txt", folder);
-}
-
-void judge_mark(const char *folder, bool quick)
-{
-    char path[4096];
-    FILE *file;
-
-    path_of(folder, path);
-    if (!quick)
-        unlink(path);
-    else if ((file = fopen(path, "w")))
-        fputs("these results are of a run with --quick\n", file), fclose(file);
-}
-
-bool judge_marked(const char *folder)
-{
-    char path[4096];
-
-    path_of(folder, path);
-    return access(path, F_OK) == 0;
 }

@@ -62,10 +62,4 @@ void judge_add(struct table *rows, const struct judge_told *told);
 /* Prints `- SOURCE: QUOTE: holds. HERE TURNS OURS Reading: READING`. */
 void judge_print(FILE *file, const struct judge_told *told);
 
-/* Mark a folder as that of a quick run, by FOLDER/quick.txt, and tell whether it is marked.
- * The mark is set before the first run of a quick job and removed after the last run of a
- * full one. */
-void judge_mark(const char *folder, bool quick);
-bool judge_marked(const char *folder);
-
 #endif

@@ -114,35 +114,34 @@ out:
     return st;
 }
 
-/* Reads a map {KEY: VALUE, ...} or a list of such maps. */
-static enum status read_settings(const struct yaml_tree *node, const char *what,
-                                 struct plan_settings *settings, struct message *why)
+/* Reads a map some of whose keys are in the table, into *target, and the others settings.
+ */
+static enum status read_mixed(const struct schema_key *keys, const struct yaml_tree *node,
+                              const char *what, void *target,
+                              struct plan_settings *settings, struct message *why)
 {
     enum status st = STATUS_OK;
 
-    if (node->kind == YAML_TREE_SCALAR)
+    if (node->kind != YAML_TREE_MAP)
         return yaml_tree_refuse(node, why, "%s is %s, but must be a map {KEY: VALUE, ...}",
                                 what, yaml_tree_describe(node).text);
     for (const struct yaml_tree *child = node->first; child; child = child->next) {
-        if (node->kind == YAML_TREE_LIST) {
-            TRY(read_settings(child, what, settings, why));
-            continue;
-        }
-        const struct plan_setting *old = plan_settings_find(settings, child->key);
-        if (old)
-            TRY(yaml_tree_refuse(child, why, "%s has %s already in line %d", what,
-                                 yaml_tree_quote(child->key).text, old->line));
-        TRY(add_value(settings, child->key, child, why));
+        const struct schema_key *key = keys;
+        while (key->key && strcmp(key->key, child->key))
+            key++;
+        TRY(key->key ? schema_value(key, child, target, why)
+                     : add_value(settings, child->key, child, why));
     }
 out:
     return st;
 }
 
-/* Reads such a map into the struct plan_settings at key->offset. */
+/* Reads {KEY: VALUE, ...} into the struct plan_settings at key->offset. */
 static enum status read_map(const struct schema_key *key, const struct yaml_tree *node,
                             void *target, struct message *why)
 {
-    return read_settings(node, key->key, (void *)((char *)target + key->offset), why);
+    return read_mixed(&(struct schema_key){NULL}, node, key->key, NULL,
+                      (void *)((char *)target + key->offset), why);
 }
 
 /* Adds the key itself with its value, a word. */
@@ -211,102 +210,17 @@ static void clear_settings(struct plan_settings *settings)
 
 static const char *const NO_OR_YES[] = {"false", "true", NULL};
 
-/* --- axes of sweeps ----------------------------------------------------------------------
- */
-
-static const char *const SCALES[] = {"linear", "log", NULL};
-
-/* Checks a list of values, which read_axis takes over when it has the key. */
-static enum status check_values(const struct schema_key *key, const struct yaml_tree *node,
-                                void *target, struct message *why)
-{
-    (void)target;
-    return node->kind != YAML_TREE_LIST || node->count < 1 || node->count > key->most
-               ? schema_refuse(key, node, why)
-               : STATUS_OK;
-}
-
-/* clang-format off */
-static const struct schema_key AXIS[] = {
-    {"key", "key that changes", SCHEMA_TEXT, .required = true, IN(plan_axis, key)},
-    {"by", "key that is set so that `key` takes the value", SCHEMA_TEXT, IN(plan_axis, by)},
-    {"values", "values of the key", SCHEMA_SPECIAL, .read = check_values, .most = PLAN_AXIS_MOST,
-     .want = "a list of 1 to 10000 values"},
-    {"from", "first value", SCHEMA_NUMBER, ANY, IN(plan_axis, from)},
-    {"to", "last value", SCHEMA_NUMBER, ANY, IN(plan_axis, to)},
-    {"count", "number of values", SCHEMA_COUNT, .low = 2, .high = PLAN_AXIS_MOST,
-     IN(plan_axis, count)},
-    {"scale", "spacing of the values", SCHEMA_WORD, .words = SCALES, IN(plan_axis, scale)},
-    {NULL}};
-/* clang-format on */
-
-/* Adds the values from ... to. */
-static enum status fill_range(struct plan_axis *axis)
-{
-    enum status st = STATUS_OK;
-
-    for (int n = 0; n < axis->count; n++) {
-        const double share = (double)n / (axis->count - 1);
-        double value = axis->scale == PLAN_AXIS_LOG
-                           ? axis->from * pow(axis->to / axis->from, share)
-                           : axis->from + (axis->to - axis->from) * share;
-        char text[32];
-
-        value = n == axis->count - 1 ? axis->to : value;
-        snprintf(text, sizeof text, "%.*g", output_digits(value), value);
-        TRY(add_text(&axis->values, axis->key, text, axis->line));
-    }
-out:
-    return st;
-}
-
-static enum status read_axis(const struct yaml_tree *node, void *target,
-                             struct message *why)
-{
-    struct plan_axis *axis = target;
-    enum status st;
-
-    *axis = (struct plan_axis){.line = node->line, .from = NAN, .to = NAN};
-    TRY(schema_read(AXIS, node, "an axis", axis, why));
-    TRY(check_key(axis->key, node, why));
-    const struct yaml_tree_words quoted = yaml_tree_quote(axis->key);
-    const struct yaml_tree *values = yaml_tree_find(node, "values");
-    const int range = !isnan(axis->from) + !isnan(axis->to) + !!axis->count;
-    if (range != (values ? 0 : 3))
-        return yaml_tree_refuse(node, why,
-                                "the axis %s needs either values or all of from, to, count",
-                                quoted.text);
-    if (axis->by && !derived_key_is(axis->key))
-        return yaml_tree_refuse(node, why,
-                                "the axis %s has 'by', but only gamma and "
-                                "young_over_density are set by another key",
-                                quoted.text);
-    if (!values && axis->scale == PLAN_AXIS_LOG && !(axis->from > 0 && axis->to > 0))
-        return yaml_tree_refuse(node, why,
-                                "the axis %s goes from %g to %g on a log scale, but both "
-                                "must be above 0",
-                                quoted.text, axis->from, axis->to);
-    if (!values)
-        return fill_range(axis);
-    for (const struct yaml_tree *v = values->first; v; v = v->next)
-        TRY(add_value(&axis->values, axis->key, v, why));
-out:
-    return st;
-}
-
-/* --- levels and studies ------------------------------------------------------------------
+/* --- axes --------------------------------------------------------------------------------
  */
 
 static const char *const TRUTHS[] = {"false", "true", "plate", NULL};
+static const char *const SCALES[] = {"linear", "log", NULL};
 
 /* clang-format off */
 static const struct schema_key LEVEL[] = {
-    {"label", "label in tables and pages", SCHEMA_TEXT, .required = true, IN(plan_level, label)},
     {"name", "name of its file (made from the label)", SCHEMA_TEXT, IN(plan_level, name)},
     {"size", "mesh width, step, ..., for observed orders", SCHEMA_NUMBER, .low = 0,
      .high = 1e30, .open = true, IN(plan_level, size)},
-    {"model", "model or contestant", WITH_MODEL, IN(plan_level, settings)},
-    {"settings", "settings of the level", WITH_MAP, IN(plan_level, settings)},
     {"quick", "further settings in a quick run", WITH_MAP, IN(plan_level, quick)},
     {"phases", "also time assembly, factorisation and solve of a frame", SCHEMA_WORD,
      .words = NO_OR_YES, IN(plan_level, phases)},
@@ -314,6 +228,27 @@ static const struct schema_key LEVEL[] = {
      .high = 1e9, .open = true, IN(plan_level, paper_ms)},
     {"timed", "repeats of the timing of a frame (the study's)", SCHEMA_COUNT,
      .low = 0, .high = 1000, IN(plan_level, timed)},
+    {NULL}};
+
+/* Values from ... to. */
+struct range {
+    double from, to;
+    int count, scale;
+};
+static const struct schema_key RANGE[] = {
+    {"from", "first value", SCHEMA_NUMBER, ANY, .required = true, IN(range, from)},
+    {"to", "last value", SCHEMA_NUMBER, ANY, .required = true, IN(range, to)},
+    {"count", "number of values", SCHEMA_COUNT, .low = 2, .high = PLAN_AXIS_MOST,
+     .required = true, IN(range, count)},
+    {"scale", "spacing of the values", SCHEMA_WORD, .words = SCALES, IN(range, scale)},
+    {NULL}};
+
+/* What `help plan` lists of an axis. */
+static const struct schema_key AXIS_KEYS[] = {
+    {"LABEL", "a value of the axis: what it sets, {KEY: VALUE}, and", SCHEMA_SECTION,
+     .keys = LEVEL},
+    {"KEY", "of an axis that is a key: its values [VALUE, ...], or", SCHEMA_SECTION,
+     .keys = RANGE},
     {NULL}};
 /* clang-format on */
 
@@ -333,45 +268,135 @@ static char *make_name(const char *label)
     return name;
 }
 
-static enum status read_level(const struct yaml_tree *node, void *target,
-                              struct message *why)
+/* Adds a level to an axis, which has room for it. NULL: out of memory. */
+static struct plan_level *add_level(struct plan_axis *axis, const char *label, int line)
 {
-    struct plan_level *level = target;
-    enum status st;
+    struct plan_level *level = &axis->levels[axis->count++];
 
-    level->line = node->line;
-    level->paper_ms = NAN;
-    level->timed = -1;
-    TRY(schema_read(LEVEL, node, "a level", level, why));
-    if (!level->name)
-        level->name = make_name(level->label);
-    if (!level->name)
-        TRY(STATUS_MEMORY);
-out:
-    return st;
+    *level = (struct plan_level){
+        .label = strdup(label), .paper_ms = NAN, .timed = -1, .line = line};
+    return level->label ? level : NULL;
 }
 
-/* Reads a map of axes, or a list of levels, which is one axis. */
-static enum status read_levels(const struct schema_key *key, const struct yaml_tree *node,
-                               void *target, struct message *why)
+static enum status make_room(struct plan_axis *axis, int count)
 {
-    struct plan_study *study = (void *)((char *)target + key->offset);
-    const bool map = node->kind == YAML_TREE_MAP;
-    enum status st = STATUS_OK;
+    axis->levels = calloc((size_t)count + 1, sizeof *axis->levels);
+    return axis->levels ? STATUS_OK : STATUS_MEMORY;
+}
 
-    if (map && (node->count < 1 || node->count > PLAN_STUDY_AXES))
-        return schema_refuse(key, node, why);
-    for (const struct yaml_tree *n = map ? node->first : node; n && st == STATUS_OK;
-         n = map ? n->next : NULL) {
-        struct plan_study_axis *axis = &study->axis[study->axis_count++];
-        axis->name = strdup(map ? n->key : PLAN_LEVEL_AXIS);
-        TRY(axis->name ? STATUS_OK : STATUS_MEMORY);
-        axis->levels =
-            read_list(key, n, sizeof *axis->levels, &axis->count, read_level, &st, why);
+/* Adds the values of a map {from: ..., to: ..., count: ...}. */
+static enum status fill_range(struct plan_axis *axis, const struct yaml_tree *node,
+                              struct message *why)
+{
+    struct range r = {.scale = 0};
+    enum status st;
+
+    TRY(schema_read(RANGE, node, "an axis", &r, why));
+    if (r.scale && !(r.from > 0 && r.to > 0))
+        TRY(yaml_tree_refuse(node, why,
+                             "the axis %s goes from %g to %g on a log scale, but both "
+                             "must be above 0",
+                             yaml_tree_quote(axis->name).text, r.from, r.to));
+    TRY(make_room(axis, r.count));
+    for (int n = 0; n < r.count; n++) {
+        const double share = (double)n / (r.count - 1);
+        double value =
+            r.scale ? r.from * pow(r.to / r.from, share) : r.from + (r.to - r.from) * share;
+        char text[32];
+
+        value = n == r.count - 1 ? r.to : value;
+        snprintf(text, sizeof text, "%.*g", output_digits(value), value);
+        struct plan_level *level = add_level(axis, text, axis->line);
+        TRY(level ? add_text(&level->settings, axis->name, text, axis->line)
+                  : STATUS_MEMORY);
     }
 out:
     return st;
 }
+
+/* Adds listed values of the key that the axis is called by. */
+static enum status fill_values(struct plan_axis *axis, const struct yaml_tree *values,
+                               struct message *why)
+{
+    enum status st;
+
+    TRY(make_room(axis, values->count));
+    for (const struct yaml_tree *v = values->first; v; v = v->next) {
+        struct plan_level *level = add_level(axis, "", v->line);
+        TRY(level ? add_value(&level->settings, axis->name, v, why) : STATUS_MEMORY);
+        free(level->label);
+        level->label = strdup(v->text ? v->text : level->settings.list->value);
+        TRY(level->label ? STATUS_OK : STATUS_MEMORY);
+    }
+out:
+    return st;
+}
+
+static enum status fill_labels(struct plan_axis *axis, const struct yaml_tree *node,
+                               struct message *why)
+{
+    static const struct schema_key label = {"a label", .type = SCHEMA_TEXT};
+    enum status st;
+
+    TRY(make_room(axis, node->count));
+    for (const struct yaml_tree *v = node->first; v; v = v->next) {
+        struct plan_level *level = add_level(axis, "", v->line);
+        const struct yaml_tree text = {
+            .kind = YAML_TREE_SCALAR, .text = v->key, .origin = v->origin, .line = v->line};
+        TRY(level ? schema_text(&label, &text, &level->label, why) : STATUS_MEMORY);
+        TRY(read_mixed(LEVEL, v, v->key, level, &level->settings, why));
+    }
+out:
+    return st;
+}
+
+/* Reads an axis: [VALUE, ...] or a range of the key that it is called by, or
+ * {LABEL: {KEY: VALUE}}. */
+static enum status read_axis(const struct yaml_tree *node, struct plan_axis *axis,
+                             struct message *why)
+{
+    const bool list = node->kind == YAML_TREE_LIST;
+    enum status st;
+
+    axis->line = node->line;
+    axis->name = strdup(node->key);
+    TRY(axis->name ? STATUS_OK : STATUS_MEMORY);
+    TRY(check_key(axis->name, node, why));
+    if (node->kind == YAML_TREE_SCALAR || !node->count || node->count > PLAN_AXIS_MOST)
+        TRY(yaml_tree_refuse(node, why,
+                             "the axis %s is %s, but must be a list of values, a map "
+                             "{from: ..., to: ..., count: ...} or {LABEL: {KEY: VALUE}}",
+                             yaml_tree_quote(axis->name).text,
+                             yaml_tree_describe(node).text));
+    st = list                           ? fill_values(axis, node, why)
+         : yaml_tree_find(node, "from") ? fill_range(axis, node, why)
+                                        : fill_labels(axis, node, why);
+    for (int n = 0; st == STATUS_OK && n < axis->count; n++) {
+        struct plan_level *level = &axis->levels[n];
+        if (!level->name)
+            level->name = make_name(level->label);
+        st = level->name ? STATUS_OK : STATUS_MEMORY;
+    }
+out:
+    return st;
+}
+
+static enum status read_axes(const struct schema_key *key, const struct yaml_tree *node,
+                             void *target, struct message *why)
+{
+    struct plan_study *study = (void *)((char *)target + key->offset);
+    enum status st = STATUS_OK;
+
+    if (node->kind != YAML_TREE_MAP || node->count < 1 || node->count > PLAN_STUDY_AXES)
+        return schema_refuse(key, node, why);
+    for (const struct yaml_tree *n = node->first; n && st == STATUS_OK; n = n->next)
+        if (n->count) /* else it takes the plan's away */
+            st = read_axis(n, &study->axis[study->axis_count++], why);
+    return st;
+}
+
+/* --- studies -----------------------------------------------------------------------------
+ */
 
 /* The keys that both plan and study may have, read into the struct plan_study that begins
  * `at` bytes into the target. */
@@ -381,12 +406,11 @@ out:
     .most = PLAN_STUDY_TIMES, .offset = (at) + offsetof(struct plan_study, values),        \
     .count_offset = (at) + offsetof(struct plan_study, count)
 #define SHARED_KEYS(at)                                                                    \
-    {"levels", "from coarse to fine; {AXIS: [...], AXIS: [...]}: all products",            \
-     SCHEMA_SPECIAL, .keys = LEVEL, .read = read_levels,                                   \
-     .low = 1, .most = PLAN_STUDY_LEVELS, .offset = (at),                                  \
-     .want = "a list of 1 to 128 levels {label: ..., settings: {KEY: VALUE, ...}}, or a "  \
-             "map of up to 4 axes with such a list each"},                                 \
-    {"times", "times at which sheets are compared [s]", TIMES_AT(at, times, time_count)},        \
+    {"axes", "every combination is a case", SCHEMA_SPECIAL, .keys = AXIS_KEYS,             \
+     .read = read_axes, .offset = (at),                                                    \
+     .want = "a map of 1 to 8 axes {AXIS: [VALUE, ...]} or {AXIS: {LABEL: {KEY: VALUE}}}"}, \
+    {"times", "times at which sheets are compared [s]; []: at rest; none: a sweep",        \
+     TIMES_AT(at, times, time_count)},                                                     \
     {"quick_times", "times in a quick run [s]",                                  \
      TIMES_AT(at, quick_times, quick_count)},                                              \
     {"truth", "errors against the scene's truth; plate: against linear Kirchhoff plate theory",    \
@@ -395,24 +419,10 @@ out:
      .offset = (at) + offsetof(struct plan_study, timed)}
 static const struct schema_key SHARED[] = {SHARED_KEYS(0), {NULL}};
 static const struct schema_key STUDY[] = {
-    {"name", "name of its files", SCHEMA_TEXT, .required = true, IN(plan_study, name)},
     {"caption", "caption of its tables (the name)", SCHEMA_TEXT, IN(plan_study, caption)},
-    {"scene", "scene (the plan's)", WITH_SCENE, IN(plan_study, settings)},
-    {"model", "model (the plan's)", WITH_MODEL, IN(plan_study, settings)},
-    {"settings", "settings of its levels; physics also apply to the truth", WITH_MAP,
-     IN(plan_study, settings)},
     SHARED_KEYS(0),
     {NULL}};
 /* clang-format on */
-
-static enum status read_study(const struct yaml_tree *node, void *target,
-                              struct message *why)
-{
-    struct plan_study *study = target;
-
-    study->line = node->line;
-    return schema_read(STUDY, node, "a study", study, why);
-}
 
 /* --- the plan ----------------------------------------------------------------------------
  */
@@ -421,35 +431,32 @@ static enum status read_study(const struct yaml_tree *node, void *target,
 struct reading {
     struct plan plan; /* first: readers take the one for the other */
     struct plan_study base;
+    struct plan_statement open; /* readings of statements without their own */
 };
 
 static const char *const KEEPS[] = {"none", "snapshots", NULL};
 
-LIST_READER(read_axes, plan, axes, axis_count, read_axis)
-
-static const struct schema_key CASE_NAME = {"name", .type = SCHEMA_TEXT};
-
-/* Reads a map of settings, one of whose keys may be the name. */
-static enum status read_listed(const struct yaml_tree *node, void *target,
-                               struct message *why)
+/* Reads {NAME: {KEY: VALUE, ...}, ...}. */
+static enum status read_studies(const struct schema_key *key, const struct yaml_tree *node,
+                                void *target, struct message *why)
 {
-    struct plan_listed *listed = target;
+    struct plan *plan = target;
     enum status st = STATUS_OK;
 
-    listed->line = node->line;
-    if (node->kind != YAML_TREE_MAP)
-        return yaml_tree_refuse(node, why, "a case is %s, but must be a map {KEY: VALUE}",
-                                yaml_tree_describe(node).text);
-    for (const struct yaml_tree *child = node->first; child; child = child->next)
-        TRY(strcmp(child->key, CASE_NAME.key)
-                ? add_value(&listed->settings, child->key, child, why)
-                : schema_text(&CASE_NAME, child, &listed->name, why));
+    if (node->kind != YAML_TREE_MAP || node->count < 1)
+        return schema_refuse(key, node, why);
+    plan->studies = calloc((size_t)node->count, sizeof *plan->studies);
+    TRY(plan->studies ? STATUS_OK : STATUS_MEMORY);
+    for (const struct yaml_tree *n = node->first; n; n = n->next) {
+        struct plan_study *study = &plan->studies[plan->study_count++];
+        *study =
+            (struct plan_study){.name = strdup(n->key), .line = n->line, .time_count = -1};
+        TRY(study->name ? STATUS_OK : STATUS_MEMORY);
+        TRY(read_mixed(STUDY, n, n->key, study, &study->settings, why));
+    }
 out:
     return st;
 }
-
-LIST_READER(read_cases, plan, listed, listed_count, read_listed)
-LIST_READER(read_studies, plan, studies, study_count, read_study)
 
 /* Reads a label, or a list of them, on each axis of a map; of a product also what is no
  * axis. */
@@ -519,39 +526,48 @@ static enum status read_words(const struct schema_key *key, const struct yaml_tr
 
 /* --- statements */
 
-static const struct schema_key READING_NAME = {"name", .type = SCHEMA_TEXT};
-
-/* Reads {name: ..., AXIS: LABEL}, or with `ours` in place of `name`. */
-static enum status read_reading(const struct yaml_tree *node, void *target,
+/* Reads {AXIS: LABEL, why: ..., ours: true}. */
+static enum status read_reading(const struct yaml_tree *node, struct plan_reading *reading,
                                 struct message *why)
 {
-    struct plan_reading *reading = target;
+    static const struct schema_key reason = {"why", .type = SCHEMA_TEXT};
     enum status st = STATUS_OK;
 
+    reading->name = strdup(node->key);
+    TRY(reading->name ? STATUS_OK : STATUS_MEMORY);
     if (node->kind != YAML_TREE_MAP)
-        return yaml_tree_refuse(node, why,
-                                "a reading is %s, but must be a map {name: ..., "
-                                "AXIS: LABEL}",
-                                yaml_tree_describe(node).text);
-    for (const struct yaml_tree *n = node->first; n; n = n->next) {
-        const bool ours = !strcmp(n->key, "ours");
-        if (ours || !strcmp(n->key, READING_NAME.key)) {
-            reading->ours = ours;
-            TRY(schema_text(&READING_NAME, n, &reading->name, why));
-        } else if (!n->text) {
+        TRY(yaml_tree_refuse(node, why, "the reading %s is %s, but must be {AXIS: LABEL}",
+                             yaml_tree_quote(node->key).text,
+                             yaml_tree_describe(node).text));
+    for (const struct yaml_tree *n = node->first; n; n = n->next)
+        if (!strcmp(n->key, reason.key))
+            TRY(schema_text(&reason, n, &reading->why, why));
+        else if (!n->text)
             TRY(yaml_tree_refuse(n, why, "%s is %s, but must be a label of the axis",
                                  n->key, yaml_tree_describe(n).text));
-        } else {
+        else if (!strcmp(n->key, "ours"))
+            reading->ours = !strcmp(n->text, "true");
+        else
             TRY(add_text(&reading->rows, n->key, n->text, n->line));
-        }
-    }
-    if (!reading->name)
-        st = schema_lacks(&READING_NAME, node, "a reading", why);
 out:
     return st;
 }
 
-LIST_READER(read_readings, plan_statement, readings, reading_count, read_reading)
+static enum status read_readings(const struct schema_key *key, const struct yaml_tree *node,
+                                 void *target, struct message *why)
+{
+    struct plan_statement *s = (void *)((char *)target + key->offset);
+    enum status st = STATUS_OK;
+
+    if (node->kind != YAML_TREE_MAP || node->count < 1 || node->count > PLAN_READINGS)
+        return schema_refuse(key, node, why);
+    s->readings = calloc((size_t)node->count, sizeof *s->readings);
+    TRY(s->readings ? STATUS_OK : STATUS_MEMORY);
+    for (const struct yaml_tree *n = node->first; n && st == STATUS_OK; n = n->next)
+        st = read_reading(n, &s->readings[s->reading_count++], why);
+out:
+    return st;
+}
 
 /* Reads [QUANTITY, ROW, ROW] of a ratio, or [QUANTITY, QUANTITY, ROWS] of an exponent. */
 static enum status read_compared(const struct schema_key *key, const struct yaml_tree *node,
@@ -574,6 +590,10 @@ static enum status read_compared(const struct schema_key *key, const struct yaml
 }
 
 /* clang-format off */
+#define READINGS(at)                                                                       \
+    {"readings", "what the paper leaves open: labels that rows have besides, and why; the" \
+     " first is primary", SCHEMA_SPECIAL, .read = read_readings, .offset = (at),            \
+     .want = "a map of 1 to 8 {NAME: {AXIS: LABEL, why: ...}}, with ours: true what we would do"}
 static const struct schema_key STATEMENT[] = {
     {"quote", "what the paper states, in our words", SCHEMA_TEXT, .required = true,
      IN(plan_statement, quote)},
@@ -584,12 +604,7 @@ static const struct schema_key STATEMENT[] = {
      .read = read_compared, .want = "[QUANTITY, QUANTITY, {AXIS: LABEL}]"},
     {"paper", "what it is in the paper", SCHEMA_NUMBER, .required = true, .low = 0, .high = 1e9,
      .open = true, IN(plan_statement, paper)},
-    {"readings", "what the paper leaves open: labels that rows have besides; the first is primary",
-     SCHEMA_SPECIAL, .read = read_readings, .low = 1, .most = PLAN_READINGS,
-     .want = "a list of 1 to 8 maps {name: ..., AXIS: LABEL}, or "
-     "{ours: ..., AXIS: LABEL} for what we would do"},
-    {"reason", "why the first reading is the primary one", SCHEMA_TEXT,
-     IN(plan_statement, reason)},
+    READINGS(0),
     {NULL}};
 /* clang-format on */
 
@@ -675,7 +690,7 @@ static enum status read_measure(const struct schema_key *key, const struct yaml_
 #define ONE_MEASURE SCHEMA_SPECIAL, .read = read_measure, .want = "the name of a measure"
 static const struct schema_key FALLS[] = {
     {"measure", "measure that has to fall", ONE_MEASURE, .required = true, IN(plan, falls.measure)},
-    {"along", "key of the axis, with values from coarse to fine", SCHEMA_TEXT,
+    {"along", "the axis, with values from coarse to fine", SCHEMA_TEXT,
      .required = true, IN(plan, falls.along)},
     {"by", "measure by which it may grow (not at all)", ONE_MEASURE, IN(plan, falls.by)},
     {NULL}};
@@ -699,11 +714,11 @@ static enum status read_mark(const struct yaml_tree *node, void *target,
 LIST_READER(read_marks, plan_map, marks, mark_count, read_mark)
 
 static const struct schema_key MAP[] = {
-    {"x", "key or measure along x", SCHEMA_TEXT, .required = true, IN(plan, map.x)},
-    {"y", "key or measure along y", SCHEMA_TEXT, .required = true, IN(plan, map.y)},
-    {"panel", "key whose values have a panel each, or name (of cases)", SCHEMA_TEXT,
+    {"x", "axis, key or measure along x", SCHEMA_TEXT, .required = true, IN(plan, map.x)},
+    {"y", "axis, key or measure along y", SCHEMA_TEXT, .required = true, IN(plan, map.y)},
+    {"panel", "axis or key whose values have a panel each", SCHEMA_TEXT,
      IN(plan, map.panel)},
-    {"marks", "points on the map that are no cases", SCHEMA_SPECIAL, .most = PLAN_MAX_LISTED,
+    {"marks", "points on the map that are no cases", SCHEMA_SPECIAL, .most = PLAN_MAX_MARKS,
      .read = read_marks, IN(plan, map),
      .want = "a list of {text: ..., label: ..., at: {KEY: VALUE}}"},
     {NULL}};
@@ -717,11 +732,10 @@ static const struct schema_key TABLE[] = {
     {"shown", "show only the levels with these labels", SCHEMA_SPECIAL,
      .read = read_chosen, IN(plan, table.shown), .want = "a map {AXIS: LABEL}"},
     {"note", "note below the table", SCHEMA_TEXT, IN(plan, table.note)},
-    {"file", "name of its CSV and chart (the plan's)", SCHEMA_TEXT, IN(plan, table.file)},
     {NULL}};
 
 #define AXES SCHEMA_SPECIAL, .read = read_words, .most = PLAN_STUDY_AXES, \
-    .want = "a list of 1 to 4 axes"
+    .want = "a list of 1 to 8 axes"
 static const struct schema_key CHART[] = {
     {"x", "quantity along x, or a name for the size of the levels", SCHEMA_TEXT, .required = true,
      IN(plan, chart.x)},
@@ -744,12 +758,6 @@ static const struct schema_key PLAN[] = {
     {"model", "of all cases: a model or a contestant", WITH_MODEL, IN(plan, settings)},
     {"settings", "settings of all cases", SCHEMA_SPECIAL, .read = read_map, IN(plan, settings),
      .want = "a map {KEY: VALUE, ...} of keys that --set takes"},
-    {"axes", "every combination", SCHEMA_SPECIAL, .low = 1, .most = PLAN_MAX_AXES,
-     .read = read_axes, .keys = AXIS,
-     .want = "a list of 1 to 16 axes {key: ..., values: [...]}"},
-    {"cases", "cases, each with all combinations of the axes", SCHEMA_SPECIAL, .low = 1,
-     .most = PLAN_MAX_LISTED, .read = read_cases,
-     .want = "a list of 1 to 10000 maps {name: ..., KEY: VALUE, ...}"},
     {"look", "frames between two readings of the metrics", SCHEMA_COUNT, .low = 1,
      .high = 1e6, IN(plan, look)},
     {"intersections", "count self-intersections", SCHEMA_WORD, .words = NO_OR_YES,
@@ -766,20 +774,20 @@ static const struct schema_key PLAN[] = {
      .keys = FALLS},
     {"map", "what the plot shows", SCHEMA_SECTION, .keys = MAP},
     SHARED_KEYS(offsetof(struct reading, base)),
-    {"studies", "each of these levels, times, ... unless it has its own", SCHEMA_SPECIAL,
-     .read = read_studies, .low = 1, .most = PLAN_STUDY_MOST, .keys = STUDY,
-     .want = "a list of 1 to 100 studies {name: ..., scene: ..., settings: {KEY: VALUE}}"},
+    {"studies", "each has these axes, times, ... but for its own", SCHEMA_SPECIAL,
+     .read = read_studies, .keys = STUDY,
+     .want = "a map of 1 to 64 studies {NAME: {scene: ..., KEY: VALUE}}"},
     {"skip", "products of the axes that are not run; with quick: true, not in a quick run",
      SCHEMA_SPECIAL, .read = read_products, .low = 1, .most = PLAN_STUDY_MOST,
      IN(plan, skip), .want = "a list of maps {AXIS: LABEL, AXIS: [LABEL, LABEL]}"},
     {"paper", "milliseconds of a frame in the paper, for products of the axes", SCHEMA_SPECIAL,
      .read = read_products, .low = 1, .most = PLAN_STUDY_MOST, IN(plan, paper),
      .want = "a list of maps {AXIS: LABEL, paper_ms: NUMBER}"},
+    READINGS(offsetof(struct reading, open)),
     {"statements", "statements of the paper that are ratios or exponents", SCHEMA_SPECIAL,
      .read = read_statements, .low = 1, .most = PLAN_STUDY_MOST, .keys = STATEMENT,
      .want = "a list of maps {quote: ..., section: ..., ratio: [...], paper: NUMBER}"},
-    {"reference", "axis and label of the level, or key and value of the"
-     " case, that others are compared with", SCHEMA_SPECIAL,
+    {"reference", "axis and label of the cases that others are compared with", SCHEMA_SPECIAL,
      .read = read_chosen, IN(plan, reference), .want = "a map {AXIS: LABEL}"},
     {"table", "one table of all studies", SCHEMA_SECTION, .keys = TABLE},
     {"chart", "a point for each level", SCHEMA_SECTION, .keys = CHART},
@@ -797,6 +805,41 @@ static int line_of(const struct yaml_tree *map, const char *key, int otherwise)
     return node ? node->line : otherwise;
 }
 
+bool plan_is_study(const struct plan *plan)
+{
+    return plan->study_count && plan->studies->time_count >= 0;
+}
+
+const char *plan_label(const struct plan_study *study, const struct plan_level *level,
+                       const char *axis)
+{
+    if (!strcmp(axis, "study"))
+        return study->name;
+    if (!strcmp(axis, "caption"))
+        return study->caption;
+    for (int n = 0; n < study->axis_count; n++)
+        if (!strcmp(axis, study->axis[n].name))
+            return level->part[n]->label;
+    return NULL;
+}
+
+int plan_level_with(const struct plan_study *study, const struct plan_level *level,
+                    const struct plan_settings *labels)
+{
+    for (int n = 0; n < study->level_count; n++) {
+        bool same = true;
+        for (int a = 0; same && a < study->axis_count; a++) {
+            const struct plan_setting *want =
+                plan_settings_find(labels, study->axis[a].name);
+            const struct plan_level *part = study->levels[n].part[a];
+            same = want ? !strcmp(part->label, want->value) : part == level->part[a];
+        }
+        if (same)
+            return n;
+    }
+    return -1;
+}
+
 static void clear_level(struct plan_level *level)
 {
     free(level->label);
@@ -812,7 +855,7 @@ static bool is_among(const struct plan_product *product, const struct plan_study
 {
     for (int axis = -1; axis < study->axis_count; axis++) {
         const char *name = axis < 0 ? "study" : study->axis[axis].name;
-        const char *word = axis < 0 ? study->name : level->part[axis]->label;
+        const char *word = plan_label(study, level, name);
         bool named = false, met = false;
         for (int n = 0; n < product->labels.count; n++)
             if (!strcmp(product->labels.list[n].key, name)) {
@@ -863,21 +906,19 @@ static enum status multiply(const struct plan_study *study, int number,
     return product->label && product->name ? STATUS_OK : STATUS_MEMORY;
 }
 
-/* Makes the levels of a study with axes. */
+/* Makes the levels of a study. */
 static enum status multiply_all(struct plan_study *study, const struct plan *plan,
                                 struct message *why)
 {
-    const struct yaml_tree place = {.origin = plan->path, .line = study->line};
     double all = 1;
     enum status st = STATUS_OK;
 
     for (int n = 0; n < study->axis_count; n++)
         all *= study->axis[n].count;
-    if (all > PLAN_STUDY_LEVELS)
-        return yaml_tree_refuse(&place, why,
-                                "the axes of the study %s have %.0f products, but a study "
-                                "has at most %d levels",
-                                study->name, all, PLAN_STUDY_LEVELS);
+    if (all > PLAN_MAX_CASES)
+        return plan_case_refuse(plan, study->line, why,
+                                "the plan has more than %d cases, the most there may be",
+                                PLAN_MAX_CASES);
     study->levels = calloc((size_t)all, sizeof *study->levels);
     TRY(study->levels ? STATUS_OK : STATUS_MEMORY);
     for (int n = 0; n < (int)all; n++) {
@@ -899,6 +940,40 @@ out:
     return st;
 }
 
+static void clear_axes(struct plan_study *study)
+{
+    for (int n = 0; n < study->axis_count; n++) {
+        for (int k = 0; k < study->axis[n].count; k++)
+            clear_level(&study->axis[n].levels[k]);
+        free(study->axis[n].levels);
+        free(study->axis[n].name);
+        study->axis[n] = (struct plan_axis){0};
+    }
+    study->axis_count = 0;
+}
+
+/* Reads the axes of a study: its own, and the plan's in whose place it has no other. */
+static enum status join_axes(struct plan_study *study, const struct yaml_tree *plans,
+                             const struct yaml_tree *own, struct message *why)
+{
+    const struct yaml_tree *first = own ? own->first : NULL;
+    enum status st = STATUS_OK;
+
+    clear_axes(study);
+    for (int k = 0; k < 2; k++) /* own ones that the plan has not, then the plan's */
+        for (const struct yaml_tree *n = k ? plans->first : first; n; n = n->next) {
+            const struct yaml_tree *other = yaml_tree_find(k ? own : plans, n->key);
+            if (other && (!k || !other->count)) /* an empty one takes the plan's away */
+                continue;
+            if (study->axis_count == PLAN_STUDY_AXES)
+                return yaml_tree_refuse(n, why, "%s has more than %d axes", study->name,
+                                        PLAN_STUDY_AXES);
+            TRY(read_axis(other ? other : n, &study->axis[study->axis_count++], why));
+        }
+out:
+    return st;
+}
+
 /* Completes a study: what its own map, `node`, does not say is read from the plan's. A
  * study with times of its own has no others in a quick run unless it says so. */
 static enum status complete(struct plan_study *study, const struct yaml_tree *root,
@@ -907,16 +982,23 @@ static enum status complete(struct plan_study *study, const struct yaml_tree *ro
 {
     enum status st = STATUS_OK;
     const bool own_times = node && yaml_tree_find(node, "times");
+    const bool timeless = !own_times && !yaml_tree_find(root, "times");
 
     for (const struct schema_key *key = SHARED; key->key; key++) {
         const struct yaml_tree *plans = yaml_tree_find(root, key->key);
-        const bool own = node && yaml_tree_find(node, key->key);
-        if (plans && !own && !(own_times && !strcmp(key->key, "quick_times")))
+        const struct yaml_tree *own = node ? yaml_tree_find(node, key->key) : NULL;
+        if (plans && key->read == read_axes)
+            TRY(join_axes(study, plans, own, why));
+        else if (plans && !own && !(own_times && !strcmp(key->key, "quick_times")))
             TRY(schema_value(key, plans, study, why));
     }
     study->times_line = line_of(own_times ? node : root, "times", 0);
-    if (study->axis_count)
-        TRY(multiply_all(study, plan, why));
+    study->time_count = timeless ? -1 : study->time_count;
+    if (!study->axis_count)
+        TRY(plan_case_refuse(plan, study->line, why,
+                             "%s has no axes, and the plan has none for it",
+                             yaml_tree_quote(study->name).text));
+    TRY(multiply_all(study, plan, why));
     if (!study->caption)
         study->caption = strdup(study->name);
     st = study->caption ? STATUS_OK : STATUS_MEMORY;
@@ -924,22 +1006,13 @@ out:
     return st;
 }
 
-/* Completes all studies; a plan with levels alone is one, of its own name. */
+/* Completes all studies; a plan without is one, of its own name. */
 static enum status complete_studies(struct plan *plan, const struct yaml_tree *root,
                                     struct message *why)
 {
-    static const char *const keys[] = {"times", "truth", "timed", "skip",
-                                       "paper", "table", "chart"};
-    const struct yaml_tree *given = NULL, *node = yaml_tree_find(root, "studies");
+    const struct yaml_tree *node = yaml_tree_find(root, "studies");
     enum status st = STATUS_OK;
 
-    for (size_t n = 0; n < sizeof keys / sizeof *keys && !given; n++)
-        given = yaml_tree_find(root, keys[n]);
-    if (!node && !yaml_tree_find(root, "levels"))
-        return given ? yaml_tree_refuse(given, why,
-                                        "%s is for studies, but the plan has no levels",
-                                        given->key)
-                     : STATUS_OK;
     if (!node) {
         plan->studies = calloc(1, sizeof *plan->studies);
         TRY(plan->studies ? STATUS_OK : STATUS_MEMORY);
@@ -960,18 +1033,28 @@ static void clear_study(struct plan_study *study)
 {
     for (int n = 0; n < study->level_count; n++)
         clear_level(&study->levels[n]);
-    for (int n = 0; n < study->axis_count; n++) {
-        for (int k = 0; k < study->axis[n].count; k++)
-            clear_level(&study->axis[n].levels[k]);
-        free(study->axis[n].levels);
-        free(study->axis[n].name);
-    }
+    clear_axes(study);
     clear_settings(&study->settings);
     free(study->levels);
     free(study->times);
     free(study->quick_times);
     free(study->name);
     free(study->caption);
+}
+
+static void clear_statement(struct plan_statement *s)
+{
+    for (int n = 0; n < s->reading_count; n++) {
+        free(s->readings[n].name);
+        free(s->readings[n].why);
+        clear_settings(&s->readings[n].rows);
+    }
+    free(s->readings);
+    clear_settings(&s->quantity);
+    clear_settings(&s->row[0]);
+    clear_settings(&s->row[1]);
+    free(s->quote);
+    free(s->section);
 }
 
 /* --- the whole ---------------------------------------------------------------------------
@@ -984,7 +1067,8 @@ static enum status read_tree(const struct yaml_tree *root, struct plan *plan,
     enum status st = schema_read(PLAN, root, "the plan", &r, why);
 
     *plan = r.plan;
-    clear_study(&r.base); /* each study reads its own */
+    clear_study(&r.base); /* each study reads its own, and each statement */
+    clear_statement(&r.open);
     TRY(st);
     if (strlen(plan->name) > 64 ||
         plan->name[strspn(plan->name, "abcdefghijklmnopqrstuvwxyz0123456789_-")])
@@ -994,6 +1078,10 @@ static enum status read_tree(const struct yaml_tree *root, struct plan *plan,
                                 yaml_tree_describe(yaml_tree_find(root, "name")).text);
     plan->map.line = line_of(root, "map", root->line);
     plan->falls.line = line_of(root, "falls", root->line);
+    for (int n = 0; n < plan->statement_count; n++)
+        if (!plan->statements[n].readings && yaml_tree_find(root, "readings"))
+            TRY(read_readings(&(struct schema_key){.offset = 0},
+                              yaml_tree_find(root, "readings"), &plan->statements[n], why));
     TRY(complete_studies(plan, root, why));
 out:
     return st;
@@ -1034,7 +1122,9 @@ static char *describe_of(const char *path, bool studies)
 
     if (plan_parse(path, &plan, &why) != STATUS_OK)
         return strdup(why.text);
-    text = strdup(studies && !plan.study_count ? "" : plan.what ? plan.what : plan.source);
+    text = strdup(studies && !plan_is_study(&plan) ? ""
+                  : plan.what                      ? plan.what
+                                                   : plan.source);
     plan_clear(&plan);
     return text;
 }
@@ -1065,32 +1155,8 @@ static void clear_products(struct plan_products *products)
     free(products->list);
 }
 
-static void clear_statement(struct plan_statement *s)
-{
-    for (int n = 0; n < s->reading_count; n++) {
-        free(s->readings[n].name);
-        clear_settings(&s->readings[n].rows);
-    }
-    free(s->readings);
-    clear_settings(&s->quantity);
-    clear_settings(&s->row[0]);
-    clear_settings(&s->row[1]);
-    free(s->quote);
-    free(s->section);
-    free(s->reason);
-}
-
 void plan_clear(struct plan *plan)
 {
-    for (int n = 0; n < plan->axis_count; n++) {
-        free(plan->axes[n].key);
-        free(plan->axes[n].by);
-        clear_settings(&plan->axes[n].values);
-    }
-    for (int n = 0; n < plan->listed_count; n++) {
-        free(plan->listed[n].name);
-        clear_settings(&plan->listed[n].settings);
-    }
     for (int n = 0; n < plan->map.mark_count; n++) {
         free(plan->map.marks[n].text);
         free(plan->map.marks[n].label);
@@ -1107,12 +1173,11 @@ void plan_clear(struct plan *plan)
         &plan->chart.panel, &plan->chart.line, &plan->chart.y};
     for (size_t n = 0; n < sizeof settings / sizeof *settings; n++)
         clear_settings(settings[n]);
-    void *const owned[] = {plan->table.note, plan->table.file, plan->chart.x,
-                           plan->statements, plan->studies,    plan->axes,
-                           plan->listed,     plan->map.marks,  plan->falls.along,
-                           plan->map.x,      plan->map.y,      plan->map.panel,
-                           plan->keys,       plan->path,       plan->text,
-                           plan->name,       plan->source,     plan->what};
+    void *const owned[] = {plan->table.note, plan->chart.x,   plan->statements,
+                           plan->studies,    plan->map.marks, plan->falls.along,
+                           plan->map.x,      plan->map.y,     plan->map.panel,
+                           plan->keys,       plan->path,      plan->text,
+                           plan->name,       plan->source,    plan->what};
     for (size_t n = 0; n < sizeof owned / sizeof *owned; n++)
         free(owned[n]);
     verdict_clear(&plan->verdicts);
@@ -1150,78 +1215,44 @@ static enum status add_keys(struct plan *plan)
     enum status st;
 
     TRY(add_keys_of(plan, &plan->settings));
-    for (int n = 0; n < plan->listed_count; n++)
-        TRY(add_keys_of(plan, &plan->listed[n].settings));
-    for (int n = 0; n < plan->axis_count; n++)
-        TRY(add_key(plan, plan->axes[n].key) ? STATUS_OK : STATUS_MEMORY);
     for (int n = 0; n < plan->study_count; n++) {
         const struct plan_study *study = &plan->studies[n];
         TRY(add_keys_of(plan, &study->settings));
-        for (int k = 0; k < study->level_count; k++)
-            for (int i = 0; i < PLAN_STUDY_AXES && study->levels[k].part[i]; i++) {
-                TRY(add_keys_of(plan, &study->levels[k].part[i]->settings));
-                TRY(add_keys_of(plan, &study->levels[k].part[i]->quick));
+        for (int k = 0; k < study->axis_count; k++)
+            for (int i = 0; i < study->axis[k].count; i++) {
+                TRY(add_keys_of(plan, &study->axis[k].levels[i].settings));
+                TRY(add_keys_of(plan, &study->axis[k].levels[i].quick));
             }
     }
 out:
     return st;
 }
 
-/* Returns the line that gives a key in the settings, a case, or an axis before number
- * `axes`; 0 if none does. */
-static int given_in(const struct plan *plan, const char *key, int axes)
+/* Returns an axis of a study; NULL: it has none of this name. */
+static const struct plan_axis *find_axis(const struct plan_study *study, const char *name)
 {
-    const struct plan_setting *s = plan_settings_find(&plan->settings, key);
-
-    for (int n = 0; !s && n < plan->listed_count; n++)
-        s = plan_settings_find(&plan->listed[n].settings, key);
-    for (int n = 0; !s && n < axes; n++)
-        if (!strcmp(plan->axes[n].key, key))
-            s = plan->axes[n].values.list;
-    return s ? s->line : 0;
-}
-
-/* Refuses the key of an axis that stands elsewhere, too, and the key that a stand-in sets.
- */
-static enum status check_twice(const struct plan *plan, struct message *why)
-{
-    for (int n = 0; n < plan->axis_count; n++) {
-        const char *key = plan->axes[n].key;
-        const int line = given_in(plan, key, n);
-        if (line)
-            return plan_case_refuse(plan, plan->axes[n].line, why,
-                                    "the key %s is given in line %d, too; give it once",
-                                    yaml_tree_quote(key).text, line);
-    }
-    for (int k = 0; k < plan->key_count; k++) {
-        const char *key = plan->keys[k];
-        if (!derived_key_is(key))
-            continue;
-        const char *by = plan_case_set_by(plan, key);
-        const int line = given_in(plan, by, plan->axis_count);
-        if (line)
-            return plan_case_refuse(
-                plan, line, why,
-                "%s is given here and also set by %s in line %d; leave one out, or let "
-                "another key be set with 'by'",
-                yaml_tree_quote(by).text, key, given_in(plan, key, plan->axis_count));
-    }
-    return STATUS_OK;
+    for (int n = 0; n < study->axis_count; n++)
+        if (!strcmp(study->axis[n].name, name))
+            return &study->axis[n];
+    return NULL;
 }
 
 static enum status check_map(const struct plan *plan, struct message *why)
 {
     const char *const names[] = {plan->map.x, plan->map.y, plan->map.panel};
 
-    for (int n = 0; n < 3; n++)
-        if (n == 2 && names[n] && !strcmp(names[n], "name"))
-            continue; /* of the listed cases */
-        else if (names[n] && !given_in(plan, names[n], plan->axis_count) &&
-                 measure_find(names[n]) < 0)
+    for (int n = 0; n < 3; n++) {
+        bool known = !names[n] || measure_find(names[n]) >= 0;
+        for (int k = 0; !known && k < plan->key_count; k++)
+            known = !strcmp(plan->keys[k], names[n]);
+        for (int k = 0; !known && k < plan->study_count; k++)
+            known = find_axis(&plan->studies[k], names[n]);
+        if (!known)
             return plan_case_refuse(
                 plan, plan->map.line, why,
-                "the map shows %s, which is neither a key of the plan nor a measure",
+                "the map shows %s, which is no axis, no key of the plan and no measure",
                 yaml_tree_quote(names[n]).text);
+    }
     return STATUS_OK;
 }
 
@@ -1230,14 +1261,15 @@ static enum status check_falls(const struct plan *plan, struct message *why)
 {
     const char *along = plan->falls.along;
 
-    for (int n = 0; along && n < plan->axis_count; n++)
-        if (!strcmp(plan->axes[n].key, along) && plan->axes[n].values.count > 1)
-            return STATUS_OK;
-    return along ? plan_case_refuse(plan, plan->falls.line, why,
-                                    "falls is along %s, but must be along the key of an "
-                                    "axis of two values at least",
-                                    yaml_tree_quote(along).text)
-                 : STATUS_OK;
+    for (int n = 0; along && n < plan->study_count; n++) {
+        const struct plan_axis *axis = find_axis(&plan->studies[n], along);
+        if (!axis || axis->count < 2)
+            return plan_case_refuse(plan, plan->falls.line, why,
+                                    "falls is along %s, but must be along an axis of two "
+                                    "values at least",
+                                    yaml_tree_quote(along).text);
+    }
+    return STATUS_OK;
 }
 
 /* Checks that the scene of a mark can be read, and that it says where on the map it lies.
@@ -1264,9 +1296,10 @@ static enum status check_times(const struct plan *plan, const struct plan_study 
                                const struct plan_level *level, const struct scene *scene,
                                struct message *why)
 {
-    for (int n = 0; n < study->time_count + study->quick_count; n++) {
-        const double t = n < study->time_count ? study->times[n]
-                                               : study->quick_times[n - study->time_count];
+    const int times = study->time_count > 0 ? study->time_count : 0;
+
+    for (int n = 0; n < times + study->quick_count; n++) {
+        const double t = n < times ? study->times[n] : study->quick_times[n - times];
         const double frames = t / scene->step;
         if (fabs(frames - round(frames)) > 1e-6 * frames || frames < 0.5)
             return plan_case_refuse(
@@ -1287,36 +1320,10 @@ static enum status try_scene(const struct plan *plan, const struct plan_study *s
     struct scene scene = {0};
     enum status st = plan_case_blame(plan, c, plan_case_scene(c, &scene, why), why);
 
-    if (st == STATUS_OK && study)
+    if (st == STATUS_OK)
         st = check_times(plan, study, level, &scene, why);
     scene_clear(&scene);
     plan_case_clear(c);
-    return st;
-}
-
-static enum status try_case(const struct plan *plan, long number, struct message *why)
-{
-    struct plan_case c;
-    const enum status st = plan_case_open(plan, number, &c, why);
-
-    return st ? st : try_scene(plan, NULL, NULL, &c, why);
-}
-
-/* Tries every listed case with the axes at their first, every value of an axis in the first
- * case. */
-static enum status try_values(const struct plan *plan, struct message *why)
-{
-    enum status st = STATUS_OK;
-    long block = 1;
-
-    for (int n = plan->axis_count - 1; n >= 0; n--) {
-        for (int i = 1; i < plan->axes[n].values.count; i++)
-            TRY(try_case(plan, i * block, why));
-        block *= plan->axes[n].values.count;
-    }
-    for (int n = 0; n == 0 || n < plan->listed_count; n++)
-        TRY(try_case(plan, n * block, why));
-out:
     return st;
 }
 
@@ -1350,26 +1357,38 @@ static enum status try_level(const struct plan *plan, const struct plan_study *s
     return st ? st : try_scene(plan, study, level, &c, why);
 }
 
+/* Returns whether a level is one of few, or has all axes but one at their first. */
+static bool is_tried(const struct plan_study *study, const struct plan_level *level)
+{
+    enum { FEW = 500 };
+    int others = 0;
+
+    for (int n = 0; n < study->axis_count; n++)
+        others += level->part[n] != study->axis[n].levels;
+    return study->level_count <= FEW || others <= 1;
+}
+
 static enum status check_study(const struct plan *plan, int n, struct message *why)
 {
     const struct plan_study *study = &plan->studies[n];
     enum status st = STATUS_OK;
 
-    for (int k = 0; k < n || k == 0; k++)
-        TRY(check_name(plan, "a study", study->name, k < n ? plan->studies[k].name : NULL,
-                       study->line, why));
-    if (!study->level_count)
-        return plan_case_refuse(plan, study->line, why,
-                                "the study %s has no levels, and the plan has none for it",
-                                yaml_tree_quote(study->name).text);
-    if (study->truth == PLAN_TRUTH_SCENE && !study->time_count)
+    TRY(check_name(plan, "a study", plan->study_count > 1 ? study->name : "study", NULL,
+                   study->line, why));
+    if (!study->level_count || (study->time_count < 0) == plan_is_study(plan))
+        return plan_case_refuse(plan, study->line, why, "the study %s has no %s",
+                                yaml_tree_quote(study->name).text,
+                                study->level_count ? "times, though others have" : "cases");
+    if (study->truth == PLAN_TRUTH_SCENE && study->time_count <= 0)
         return plan_case_refuse(
             plan, study->line, why,
             "the study %s has truth, but no times; a truth is of a motion",
             yaml_tree_quote(study->name).text);
     for (int k = 0; k < study->level_count; k++) {
         const struct plan_level *level = &study->levels[k];
-        for (int i = 0; i < k || i == 0; i++)
+        if (!is_tried(study, level))
+            continue;
+        for (int i = 0; study->time_count >= 0 && (i < k || i == 0); i++)
             TRY(check_name(plan, "a level", level->name,
                            i < k ? study->levels[i].name : NULL, level->line, why));
         TRY(try_level(plan, study, level, false, why));
@@ -1473,15 +1492,6 @@ static enum status check_studies(const struct plan *plan, struct message *why)
     TRY(check_labels(plan, &plan->reference, why));
     TRY(check_labels(plan, &plan->table.shown, why));
 
-    if (plan->axis_count || plan->listed_count || plan->map.x)
-        return plan_case_refuse(
-            plan,
-            plan->axis_count     ? plan->axes->line
-            : plan->listed_count ? plan->listed->line
-                                 : plan->map.line,
-            why,
-            "a plan with levels has no axes, cases and map; a study for each "
-            "of them is the same");
     for (int n = 0; n < plan->study_count; n++)
         TRY(check_study(plan, n, why));
 out:
@@ -1491,9 +1501,6 @@ out:
 /* Chooses the program's first model unless somebody says otherwise. */
 static enum status choose_model(struct plan *plan)
 {
-    for (int n = 0; n < plan->axis_count; n++)
-        if (!strcmp(plan->axes[n].key, "model"))
-            return STATUS_OK;
     return plan_settings_find(&plan->settings, "model")
                ? STATUS_OK
                : add_text(&plan->settings, "model", contestant_model(0)->name, 1);
@@ -1505,14 +1512,13 @@ static enum status check(struct plan *plan, struct message *why)
 
     TRY(choose_model(plan));
     TRY(add_keys(plan));
-    TRY(check_twice(plan, why));
     TRY(check_map(plan, why));
     TRY(check_falls(plan, why));
     if (plan_case_count(plan) > PLAN_MAX_CASES)
         return plan_case_refuse(plan, 1, why,
                                 "the plan has more than %d cases, the most there may be",
                                 PLAN_MAX_CASES);
-    TRY(plan->study_count ? check_studies(plan, why) : try_values(plan, why));
+    TRY(check_studies(plan, why));
     for (int n = 0; n < plan->map.mark_count; n++)
         TRY(check_mark(plan, &plan->map.marks[n], why));
 out:

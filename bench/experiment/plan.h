@@ -1,17 +1,17 @@
-/* plan.h - reads the plan of a sweep: which cases to run, what to read off them, how to
- * judge and draw them; or of studies, which have levels instead of cases. It is YAML; every
- * error is one sentence `file:line: ...`. doc/sweeps.md and doc/studies.md show plans, the
- * schema in plan.c (clothbench help plan) has all keys.
+/* plan.h - reads a plan: which cases to run, what to read off them, how to judge and draw
+ * them. It is YAML; every error is one sentence `file:line: ...`. doc/sweeps.md and
+ * doc/studies.md show plans, the schema in plan.c (clothbench help plan) has all keys.
  *
- * A key of settings, axes and cases is any that --set takes, or `scene`, or `model`, or one
- * of two that stand for another key: `gamma` and `young_over_density` set the key `by`
- * (material.young unless told otherwise) so that the number takes the value with all else
- * of the case as given. Cases are all combinations of the axes, the first changing slowest,
- * for each listed case.
+ * The cases of a study are all combinations of its axes, the first changing slowest. An
+ * axis has labelled values, each of which sets some keys: any that --set takes, or `scene`,
+ * or `model`, or one of two that stand for another key: `gamma` and `young_over_density`
+ * set material.young so that the number takes the value with all else of the case as given.
+ * Keys of an axis go before those of a study,
+ * these before the plan's, and later axes before earlier ones.
  *
- * Studies are of scenes at several levels of one parameter, from coarse to fine, or at the
- * products of several axes of levels. Without `studies` the plan is one, of its own name.
- * Settings of a level go before those of a study, these before the plan's.
+ * A plan without `studies` is one, of its own name. A study with times is one for `study`:
+ * its cases are compared at these times, or at rest; the cases of others go to their
+ * scene's end, in a sweep.
  */
 #ifndef PLAN_H
 #define PLAN_H
@@ -25,8 +25,7 @@
 
 enum {
     PLAN_MAX_CASES = 100000,
-    PLAN_MAX_LISTED = 10000, /* cases                                                  */
-    PLAN_MAX_AXES = 16,
+    PLAN_MAX_MARKS = 10000,
     PLAN_TABLE_COLUMNS = 16,
 };
 
@@ -46,32 +45,18 @@ struct plan_settings {
 const struct plan_setting *plan_settings_find(const struct plan_settings *settings,
                                               const char *key);
 
-/* --- Axes: a key and its values, listed or from ... to. */
-
-enum { PLAN_AXIS_MOST = 10000 }; /* values */
-
-enum plan_axis_scale { PLAN_AXIS_LINEAR, PLAN_AXIS_LOG };
-
-struct plan_axis {
-    char *key; /* owned                                                                */
-    char *by;  /* the key that a stand-in sets; NULL: material.young             owned */
-    int line;  /* in the plan                                                          */
-    enum plan_axis_scale scale;  /* of from ... to, and of the map                     */
-    double from, to;             /* NaN: its values are listed                         */
-    int count;                   /* of values from ... to; 0: likewise                 */
-    struct plan_settings values; /* each with the axis's key                           */
-};
-
-/* --- Studies. */
+/* --- Axes and studies. */
 
 enum {
+    PLAN_AXIS_MOST = 10000, /* values                                                   */
     PLAN_STUDY_MOST = 100,
-    PLAN_READINGS = 8, /* of a statement                                                */
-    PLAN_STUDY_LEVELS = 128, /* of a study, all products of its axes counted           */
+    PLAN_READINGS = 8,       /* of a statement                                          */
+    PLAN_STUDY_LEVELS = 128, /* of which an exponent or an order is one                 */
     PLAN_STUDY_TIMES = 8,
-    PLAN_STUDY_AXES = 4,
+    PLAN_STUDY_AXES = 8,
 };
 
+/* A value of an axis, or a product of such. */
 struct plan_level {
     char *label;     /* short, for tables and pages                             owned  */
     char *name;      /* of its file, [a-z0-9_]+; made of the label if not given  owned  */
@@ -88,13 +73,11 @@ struct plan_level {
     int line;
 };
 
-/* Labelled levels whose products with those of the other axes are the levels of a study.
- * A list of levels is one axis of this name. */
-#define PLAN_LEVEL_AXIS "level"
-struct plan_study_axis {
-    char *name; /* owned                                                                */
+struct plan_axis {
+    char *name; /* of listed values and of ranges the key that they are of      owned  */
     int count;
     struct plan_level *levels; /* [count]                                         owned */
+    int line;
 };
 
 /* Some products: the levels that have, on each axis that is named here, one of the labels
@@ -120,8 +103,8 @@ struct plan_study {
     int level_count;
     struct plan_level *levels; /* [level_count], products of the axes           owned  */
     int axis_count;
-    struct plan_study_axis axis[PLAN_STUDY_AXES];
-    int time_count;  /* 0: static equilibrium, as the only frame                   */
+    struct plan_axis axis[PLAN_STUDY_AXES];
+    int time_count;  /* 0: static equilibrium, as the only frame; -1: a sweep's    */
     double *times;   /* [time_count] [s]                                        owned  */
     int quick_count; /* 0: a quick run has the same times                          */
     double *quick_times;  /* [quick_count] [s]                                  owned  */
@@ -132,12 +115,6 @@ struct plan_study {
 
 /* --- The plan. */
 
-struct plan_listed {
-    char *name; /* or NULL                                                      owned  */
-    int line;
-    struct plan_settings settings;
-};
-
 /* A point on the map that is no case: where another's result lies. */
 struct plan_mark {
     char *text, *label; /* on the point; in the legend                          owned  */
@@ -146,8 +123,8 @@ struct plan_mark {
 };
 
 struct plan_map {
-    char *x, *y, *panel; /* keys or measures; x NULL: no map; panel may be NULL, or
-                            "name": of the listed case                          owned */
+    char *x, *y, *panel; /* axes, keys or measures; x NULL: no map; panel may be NULL
+                                                                                owned */
     int line;
     int mark_count;
     struct plan_mark *marks; /*                                                  owned */
@@ -156,7 +133,7 @@ struct plan_map {
 /* A measure that is to fall along an axis: from one value of the key to any later one, all
  * other keys equal, it may grow by the measure `by` at most. */
 struct plan_falls {
-    char *along; /* key of an axis; NULL: nothing is to fall                   owned   */
+    char *along; /* name of an axis; NULL: nothing is to fall                  owned   */
     int measure; /* enum measure                                                       */
     int by;      /* likewise; -1: it may not grow at all                               */
     int line;    /* in the plan                                                        */
@@ -167,7 +144,6 @@ struct plan_table {
     struct plan_settings columns; /* names of quantities (dataset.h), as keys; none: a
                                      plan's studies are printed one by one (study.h)   */
     int last;                     /* 1: people see the last time of each study alone   */
-    char *file;                   /* of its CSV and chart; NULL: the plan's name owned */
     struct plan_settings shown;   /* axis and label: people see levels with these alone */
     char *note;                   /* below it, or NULL                         owned */
 };
@@ -185,12 +161,12 @@ struct plan_chart {
  * to read what it leaves open: labels of the rows that decide it (dataset.h). */
 struct plan_reading {
     char *name;                /* in a few words                                owned   */
+    char *why;                 /* it is the primary one; or NULL                owned   */
     struct plan_settings rows; /* axis and label                                        */
     bool ours;                 /* no reading: what we would do instead, shown beside    */
 };
 struct plan_statement {
     char *quote, *section; /* in our words; of the paper                        owned   */
-    char *reason;          /* why the first reading is the primary one; or NULL owned   */
     struct plan_settings quantity; /* as keys: of a ratio one, of an exponent x and y   */
     struct plan_settings row[2];   /* of a ratio; an exponent's rows are row[0]         */
     bool exponent;
@@ -208,10 +184,6 @@ struct plan {
     char *name, *source;
     char *what; /* a line for lists, or NULL                                     owned */
     struct plan_settings settings; /* of all cases; scene and model are among them     */
-    int axis_count;
-    struct plan_axis *axes; /* owned                                                   */
-    int listed_count;
-    struct plan_listed *listed; /* owned                                               */
     int look; /* frames from one reading of the metrics to the next                     */
     int intersections; /* 0 or 1                                                       */
     enum plan_keep keep;
@@ -219,14 +191,13 @@ struct plan {
     struct verdict_rules verdicts;
     struct plan_falls falls;
     struct plan_map map;
-    int study_count; /* 0: it is for sweeps                                     */
+    int study_count;
     struct plan_study *studies; /* owned                                               */
     struct plan_products skip, paper;
     int statement_count;
     struct plan_statement *statements; /* owned                                         */
-    struct plan_settings reference; /* axis and label, or key and value: levels, or cases,
-                                       are compared with the one that has these and else
-                                       their own                                       */
+    struct plan_settings reference;    /* axis and label: cases are compared with the one of
+                                          their study that has these and else their own   */
     struct plan_table table;
     struct plan_chart chart;
     int key_count;
@@ -246,22 +217,34 @@ void plan_clear(struct plan *plan);
 void plan_keys(void (*line)(void *context, const char *key, const char *text),
                void *context);
 
-/* Reads a plan that can be run: plan->keys, no key from two places, no more cases than
- * PLAN_MAX_CASES, and every value good in a case with all else at its first. Errors as
- * plan_parse. */
+/* Reads a plan that can be run: plan->keys, no more cases than PLAN_MAX_CASES, and every
+ * value good in some case. Errors as plan_parse. */
 enum status plan_read(const char *path, struct plan *plan, struct message *why);
 
-/* --- Cases, and levels of studies, one by one, as what a run needs (plan_case.c). */
+/* Returns whether the plan is for `study`, with times, not for `sweep`. */
+bool plan_is_study(const struct plan *plan);
+
+/* Returns the label of a level on an axis, also on "study" and "caption"; NULL: its study
+ * has no such axis. */
+const char *plan_label(const struct plan_study *study, const struct plan_level *level,
+                       const char *axis);
+
+/* Returns the level that has these labels and else those of `level`; -1: there is none. */
+int plan_level_with(const struct plan_study *study, const struct plan_level *level,
+                    const struct plan_settings *labels);
+
+/* --- Cases one by one, as what a run needs (plan_case.c). */
 
 struct plan_case {
-    long number;          /* from 0                                                       */
-    const char *name;     /* of the listed case, or NULL                         borrowed */
+    long number;                    /* from 0                                          */
+    const struct plan_study *study; /*                                        borrowed */
+    const struct plan_level *level; /* NULL: what all levels of the study have          */
     struct case_plan run; /* stand-ins among its settings as what they stand for owned */
     /* [plan->key_count] as the plan gives them; NULL: not in this case; array   owned */
     const struct plan_setting **given;
 };
 
-/* Returns the number of cases: listed ones times the values of every axis. */
+/* Returns the number of cases of all studies. */
 long plan_case_count(const struct plan *plan);
 
 /* Opens case `number`, 0 <= number < count. STATUS_INPUT with a sentence `plan:line: ...`:
@@ -277,8 +260,7 @@ enum status plan_case_level(const struct plan *plan, const struct plan_study *st
                             const struct plan_level *level, bool quick, struct plan_case *c,
                             struct message *why);
 
-/* Opens case `number` without what is run, with the plan's words alone.
- * STATUS_MEMORY. */
+/* Opens case `number` without what is run, with the plan's words alone. STATUS_MEMORY. */
 enum status plan_case_given(const struct plan *plan, long number, struct plan_case *c);
 
 /* Reads the scene of a case. Errors as scene_file_read: plan_case_blame finds the plan's
@@ -309,8 +291,5 @@ enum status plan_case_pass(const struct plan *plan, int line, enum status st,
  * freed by the receiver. STATUS_INPUT: no such name. */
 enum status plan_case_find_scene(const struct plan *plan, const char *argument, char **path,
                                  struct message *why);
-
-/* Returns the key that a stand-in (derived_key.h) sets in this plan. */
-const char *plan_case_set_by(const struct plan *plan, const char *key);
 
 #endif

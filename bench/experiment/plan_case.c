@@ -9,6 +9,8 @@
 #include "bench/harness/derived_key.h"
 #include "models/reader/scene_file.h"
 
+#define YOUNG "material.young" /* which derived keys set */
+
 enum status plan_case_refuse(const struct plan *plan, int line, struct message *why,
                              const char *format, ...)
 {
@@ -28,14 +30,6 @@ enum status plan_case_pass(const struct plan *plan, int line, enum status st,
     return st == STATUS_OK || st == STATUS_MEMORY
                ? st
                : plan_case_refuse(plan, line, why, "%s", said->text);
-}
-
-const char *plan_case_set_by(const struct plan *plan, const char *key)
-{
-    for (int n = 0; n < plan->axis_count; n++)
-        if (!strcmp(plan->axes[n].key, key) && plan->axes[n].by)
-            return plan->axes[n].by;
-    return "material.young";
 }
 
 enum status plan_case_scene(const struct plan_case *c, struct scene *scene,
@@ -71,27 +65,49 @@ out:
     return st;
 }
 
+static int key_index(const struct plan *plan, const char *key)
+{
+    for (int k = 0; k < plan->key_count; k++)
+        if (!strcmp(plan->keys[k], key))
+            return k;
+    return -1;
+}
+
+/* Returns what the plan gives a case for a key; NULL: nothing. */
+static const struct plan_setting *given(const struct plan *plan, const struct plan_case *c,
+                                        const char *key)
+{
+    const int k = key_index(plan, key);
+
+    return k < 0 ? NULL : c->given[k];
+}
+
 /* Sets the key behind a stand-in so that its number takes the value in this case. */
 static enum status resolve(const struct plan *plan, const struct plan_setting *s,
                            struct plan_case *c, struct message *why)
 {
-    const char *by = plan_case_set_by(plan, s->key);
     struct scene scene = {0};
     char *end;
     double want = strtod(s->value, &end), value;
+    const struct plan_setting *also = given(plan, c, YOUNG);
     enum status st;
+
+    if (also)
+        return plan_case_refuse(
+            plan, also->line, why,
+            YOUNG " is given here and also set by %s in line %d; leave one out", s->key,
+            s->line);
 
     if (end == s->value || *end || !(want > 0 && isfinite(want)))
         return plan_case_refuse(plan, s->line, why,
                                 "%.40s is '%.40s', but must be a number above 0", s->key,
                                 s->value);
     TRY(plan_case_scene(c, &scene, why));
-    value = derived_key_solve(s->key, by, want, &scene);
+    value = derived_key_young(s->key, want, &scene);
     if (isnan(value))
-        TRY(plan_case_refuse(plan, s->line, why,
-                             "%.40s cannot be set by %.40s in this scene%s", s->key, by,
-                             scene.is_fabric ? ": its material is a fabric" : ""));
-    settings_number(&c->run.settings, by, value);
+        TRY(plan_case_refuse(plan, s->line, why, "%.40s cannot be set in this scene%s",
+                             s->key, scene.is_fabric ? ": its material is a fabric" : ""));
+    settings_number(&c->run.settings, YOUNG, value);
 out:
     scene_clear(&scene);
     return st;
@@ -122,7 +138,7 @@ static const struct plan_setting *find_blamed(const struct plan *plan,
         const struct plan_setting *s = c->given[k];
         if (!s)
             continue;
-        const char *key = derived_key_is(s->key) ? plan_case_set_by(plan, s->key) : s->key;
+        const char *key = derived_key_is(s->key) ? YOUNG : s->key;
         const size_t size = strlen(key);
         if (!strncmp(text, key, size) && text[size] == '=')
             return s;
@@ -145,9 +161,8 @@ enum status plan_case_blame(const struct plan *plan, const struct plan_case *c,
         text += strlen(mark);
         s = find_blamed(plan, c, text);
     }
-    for (int k = 0; !s && k < plan->key_count; k++)
-        if (!strcmp(plan->keys[k], "scene"))
-            s = c->given[k]; /* the scene's file itself is wrong */
+    if (!s)
+        s = given(plan, c, "scene"); /* the scene's file itself is wrong */
     return plan_case_refuse(plan, s ? s->line : 1, why, "%s", text);
 }
 
@@ -155,19 +170,14 @@ enum status plan_case_blame(const struct plan *plan, const struct plan_case *c,
 static enum status build(const struct plan *plan, struct plan_case *c, struct message *why)
 {
     enum status st = STATUS_OK;
-    const struct plan_setting *scene = NULL, *model = NULL;
+    const struct plan_setting *scene = given(plan, c, "scene"),
+                              *model = given(plan, c, "model");
     struct message text;
 
     for (int k = 0; k < plan->key_count; k++) {
         const struct plan_setting *s = c->given[k];
 
-        if (!s || derived_key_is(s->key))
-            continue;
-        if (!strcmp(s->key, "model"))
-            model = s;
-        else if (!strcmp(s->key, "scene"))
-            scene = s;
-        else
+        if (s && s != scene && s != model && !derived_key_is(s->key))
             settings_word(&c->run.settings, s->key, s->value);
     }
     if (!scene)
@@ -187,14 +197,6 @@ out:
     return st;
 }
 
-static int key_index(const struct plan *plan, const char *key)
-{
-    for (int k = 0; k < plan->key_count; k++)
-        if (!strcmp(plan->keys[k], key))
-            return k;
-    return -1;
-}
-
 static void give(const struct plan *plan, const struct plan_settings *settings,
                  struct plan_case *c)
 {
@@ -204,41 +206,39 @@ static void give(const struct plan *plan, const struct plan_settings *settings,
 
 long plan_case_count(const struct plan *plan)
 {
-    double count = plan->listed_count ? plan->listed_count : 1;
+    long count = 0;
 
-    for (int n = 0; n < plan->axis_count; n++)
-        count *= plan->axes[n].values.count;
-    return count > PLAN_MAX_CASES ? PLAN_MAX_CASES + 1 : (long)count;
+    for (int n = 0; n < plan->study_count; n++)
+        count += plan->studies[n].level_count;
+    return count;
 }
 
-/* Starts a case with the settings that are given to all. */
-static enum status begin(const struct plan *plan, long number, struct plan_case *c)
+/* Starts a case with what the plan gives it. */
+static enum status begin(const struct plan *plan, const struct plan_study *study,
+                         const struct plan_level *level, bool quick, struct plan_case *c)
 {
-    *c = (struct plan_case){.number = number};
+    *c = (struct plan_case){.study = study, .level = level};
     c->given = calloc((size_t)plan->key_count + 1, sizeof *c->given);
     if (!c->given)
         return STATUS_MEMORY;
     give(plan, &plan->settings, c);
+    give(plan, &study->settings, c);
+    for (int k = 0; level && k < (quick ? 2 : 1); k++)
+        for (int n = 0; n < PLAN_STUDY_AXES && level->part[n]; n++)
+            give(plan, k ? &level->part[n]->quick : &level->part[n]->settings, c);
     return STATUS_OK;
 }
 
 enum status plan_case_given(const struct plan *plan, long number, struct plan_case *c)
 {
-    long rest = number;
+    const struct plan_study *study = plan->studies;
+    long level = number;
 
-    if (begin(plan, number, c) != STATUS_OK)
-        return STATUS_MEMORY;
-    for (int n = plan->axis_count - 1; n >= 0; n--) { /* the last changes fastest */
-        const struct plan_settings *values = &plan->axes[n].values;
-
-        c->given[key_index(plan, plan->axes[n].key)] = &values->list[rest % values->count];
-        rest /= values->count;
-    }
-    if (plan->listed_count) {
-        c->name = plan->listed[rest].name;
-        give(plan, &plan->listed[rest].settings, c);
-    }
-    return STATUS_OK;
+    while (level >= study->level_count)
+        level -= study++->level_count;
+    const enum status st = begin(plan, study, &study->levels[level], false, c);
+    c->number = number;
+    return st;
 }
 
 /* Completes a case whose `given` was made with this status. */
@@ -262,14 +262,7 @@ enum status plan_case_level(const struct plan *plan, const struct plan_study *st
                             const struct plan_level *level, bool quick, struct plan_case *c,
                             struct message *why)
 {
-    const enum status st = begin(plan, 0, c);
-
-    if (st == STATUS_OK)
-        give(plan, &study->settings, c);
-    for (int k = 0; st == STATUS_OK && level && k < (quick ? 2 : 1); k++)
-        for (int n = 0; n < PLAN_STUDY_AXES && level->part[n]; n++)
-            give(plan, k ? &level->part[n]->quick : &level->part[n]->settings, c);
-    return finish(plan, st, c, why);
+    return finish(plan, begin(plan, study, level, quick, c), c, why);
 }
 
 void plan_case_clear(struct plan_case *c)

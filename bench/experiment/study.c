@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "bench/experiment/batch.h"
-#include "bench/experiment/judge.h"
 #include "bench/files/folder.h"
 #include "bench/harness/timing.h"
 #include "bench/truth/truth.h"
@@ -262,13 +261,29 @@ out:
     return st;
 }
 
+/* Returns whether the files are of a quick run, by the first that every run leaves. */
+static bool is_quick(const struct plan *plan, const char *folder)
+{
+    const struct plan_study *study = plan->studies;
+    struct run_result r = {0};
+    char path[PATH];
+    int n = 0;
+
+    while (n < study->level_count - 1 && study->levels[n].slow)
+        n++;
+    file_of(study, &study->levels[n], folder, path);
+    const bool quick = run_result_read(path, false, &r, NULL) == STATUS_OK && r.quick;
+    run_result_clear(&r);
+    return quick;
+}
+
 enum status study_read(const struct plan *plan, const char *folder, struct study_results *r,
                        struct message *why)
 {
     enum status st = STATUS_OK;
 
     *r = (struct study_results){
-        .plan = plan, .count = plan->study_count, .quick = judge_marked(folder)};
+        .plan = plan, .count = plan->study_count, .quick = is_quick(plan, folder)};
     r->study = calloc((size_t)r->count + 1, sizeof *r->study);
     TRY(r->study ? STATUS_OK : STATUS_MEMORY);
     file_of(&plan->studies[0], &plan->studies[0].levels[0], folder, r->machine);
@@ -303,18 +318,9 @@ double study_distance(const struct place *a, const struct place *b)
 
 int study_reference(const struct study_results *d, const struct study *s, int level)
 {
-    const struct plan_settings *reference = &d->plan->reference;
+    const struct plan_settings *labels = &d->plan->reference;
+    const int found =
+        labels->count ? plan_level_with(s->plan, s->row[level].level, labels) : -1;
 
-    for (int n = 0; reference->count && n < s->plan->level_count; n++) {
-        bool same = !s->row[n].left_out;
-        for (int a = 0; a < s->plan->axis_count; a++) {
-            const struct plan_setting *given =
-                plan_settings_find(reference, s->plan->axis[a].name);
-            const char *want = given ? given->value : s->row[level].level->part[a]->label;
-            same = same && !strcmp(s->row[n].level->part[a]->label, want);
-        }
-        if (same)
-            return n;
-    }
-    return -1;
+    return found >= 0 && !s->row[found].left_out ? found : -1;
 }

@@ -177,7 +177,7 @@ struct study_results {
     const struct where *reading;
     int count;
     struct study *study; /* [count]                                              owned  */
-    bool quick;          /* judge.h: some of it is of less than the plan says           */
+    bool quick;          /* some of it is of less than the plan says                    */
     char machine[4096];  /* a file whose provenance holds for all                       */
 };
 

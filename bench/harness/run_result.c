@@ -60,12 +60,7 @@ static enum status read_looks(const struct store_read *file, const char *path,
     TRY(read_numbers(file, path, "time", count, 1, l->time, why));
     for (int n = 0; n < LOOKS_SERIES; n++) {
         snprintf(name, sizeof name, "metrics/%s", looks_series[n].name);
-        const bool added = n == LOOKS_LOAD || n >= LOOKS_THROUGH;
-        if (added && !store_read_has(file, name)) /* older files have none */
-            for (int k = 0; k < count; k++)
-                l->series[n][k] = NAN;
-        else
-            TRY(read_numbers(file, path, name, count, 1, l->series[n], why));
+        TRY(read_numbers(file, path, name, count, 1, l->series[n], why));
     }
     TRY(read_numbers(file, path, "energy/kinetic", count, 3, &l->energy->kinetic, why));
     TRY(read_numbers(file, path, "energy/elastic", count, 3, &l->energy->elastic, why));
@@ -158,55 +153,41 @@ out:
     return st;
 }
 
-/* Reads the last number of an array, which older files lack: 0. */
-static enum status read_last(const struct store_read *file, const char *name, double *last,
-                             struct message *why)
-{
-    double *value = NULL;
-    int rows = 0, columns;
-    enum status st = STATUS_OK;
-
-    if (store_read_has(file, name))
-        st = store_read_array(file, name, &value, &rows, &columns, why);
-    *last = rows && isfinite(value[rows - 1]) ? value[rows - 1] : 0;
-    free(value);
-    return st;
-}
-
 /* Returns a count from a file; 0: it is none. */
 static long count_of(double value)
 {
     return fabs(value) < 1e15 ? lround(value) : 0;
 }
 
+/* Reads the work up to the last look. */
 static enum status read_work(const struct store_read *file, struct counters *work,
                              struct message *why)
 {
     const struct {
         const char *name;
-        long *count;
+        long *count; /* NULL: of `left` */
     } counters[] = {{"counters/steps", &work->steps},
                     {"counters/assemblies", &work->assemblies},
                     {"counters/factorisations", &work->factorisations},
                     {"counters/solves", &work->solves},
                     {"counters/iterations", &work->iterations},
                     {"counters/substeps", &work->substeps},
-                    {"counters/tested", &work->tested}};
-    double missed = 0;
+                    {"counters/tested", &work->tested},
+                    {"counters/missed", &work->missed},
+                    {"counters/left", NULL}};
     enum status st = STATUS_OK;
 
     for (size_t n = 0; n < sizeof counters / sizeof *counters; n++) {
         double *value = NULL;
         int rows, columns;
-        if (counters[n].count == &work->tested && !store_read_has(file, counters[n].name))
-            continue; /* older files have none */
         TRY(store_read_array(file, counters[n].name, &value, &rows, &columns, why));
-        *counters[n].count = rows ? count_of(value[rows - 1]) : 0;
+        const double last = rows && isfinite(value[rows - 1]) ? value[rows - 1] : 0;
+        if (counters[n].count)
+            *counters[n].count = count_of(last);
+        else
+            work->left = last;
         free(value);
     }
-    TRY(read_last(file, "counters/left", &work->left, why));
-    TRY(read_last(file, "counters/missed", &missed, why));
-    work->missed = count_of(missed);
 out:
     return st;
 }

@@ -72,7 +72,7 @@ static enum status refuse(const struct command *command, const char *name,
     named_file_list_free(entries, count);
     return status_fail(why, STATUS_INPUT, "%s: there is no '%s'; there are %s%s",
                        command->name, name, known,
-                       table ? "" : ", or give the path of a plan with levels");
+                       table ? "" : ", or give the path of a plan with times");
 }
 
 /* Reads the plan of a file, freed by the caller also after a failure, which must have
@@ -83,9 +83,9 @@ static enum status read_plan(const char *path, struct plan *plan, struct message
 
     TRY(plan_read(path, plan, why));
     TRY(dataset_check(plan, why));
-    if (!plan->study_count)
+    if (!plan_is_study(plan))
         st = status_fail(why, STATUS_INPUT,
-                         "%s: the plan has no levels, so it is no study; clothbench sweep "
+                         "%s: the plan has no times, so it is no study; clothbench sweep "
                          "runs it",
                          path);
 out:
@@ -151,11 +151,8 @@ static enum status measure(const struct asked *a, struct message *why)
     enum status st;
 
     TRY(folder_make(a->folder, why));
-    if (a->quick)
-        judge_mark(a->folder, true);
     timing_alone();
     TRY(study_measure(&a->plan, a->folder, &how, why));
-    judge_mark(a->folder, a->quick);
 out:
     return st;
 }
@@ -227,7 +224,7 @@ static enum status add_plan(const char *path, const struct asked *all, struct st
 
     TRY(st);
     TRY(read_one(path, all, a, why));
-    if (!is_of_the_paper(&a->plan) || !a->plan.study_count)
+    if (!is_of_the_paper(&a->plan) || !plan_is_study(&a->plan))
         goto out;
     if (!a->from)
         TRY(measure(a, why));
@@ -337,7 +334,7 @@ const struct command studies_command = {
         "and prints from these files how the levels differ, their errors against the\n"
         "truth if there is one, their cost, and whether the paper's statement holds.\n"
         "CSV goes into the folder, which `report` draws. Studies are plans (YAML) with\n"
-        "levels. A plan of yours is run and printed in the same way, without a\n"
+        "times. A plan of yours is run and printed in the same way, without a\n"
         "statement; `clothbench help plan` has the keys.\n",
     .examples = "study mesh\nstudy mesh --quick --out mesh\n"
                 "study mesh --from results/study_mesh --format csv\nstudy mine.yaml\n",

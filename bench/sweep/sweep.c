@@ -301,9 +301,9 @@ static enum status run(const struct command_line *line, struct message *why)
                         "how many with mpirun -n"));
     TRY(named_file_find(&plan_kind, s.word, &path, why));
     TRY(plan_read(path, &s.plan, why));
-    if (s.plan.study_count)
+    if (plan_is_study(&s.plan))
         TRY(status_fail(why, STATUS_INPUT,
-                        "%s: the plan has levels, so it is no sweep; clothbench study runs "
+                        "%s: the plan has times, so it is no sweep; clothbench study runs "
                         "it",
                         path));
     TRY(lead(&s, why));
@@ -324,8 +324,8 @@ out:
     "    scene: edge_drop\n"                                                               \
     "    model: mass_spring\n"                                                             \
     "    axes:\n"                                                                          \
-    "      - {key: material.young, values: [5e4, 1e5]}\n"                                  \
-    "      - {key: material.density, values: [0.3, 0.5, 0.7]}\n"
+    "      material.young: [5e4, 1e5]\n"                                                   \
+    "      material.density: [0.3, 0.5, 0.7]\n"
 
 static const struct command_option options[] = {
     {"--jobs", "N", false, "cases that run at a time (the number of processors)"},
@@ -343,7 +343,7 @@ const struct command sweep_command = {
         "plan's rules, and writes one result file a case, table.csv with all keys and\n"
         "measures, and map.csv, the map that `clothbench report` draws. PLAN is\n"
         "feasibility, stability, table4, refinement, refinement_nets, remedies or a YAML\n"
-        "file; the other plans of `clothbench list plans` have levels and are for\n"
+        "file; the other plans of `clothbench list plans` have times and are for\n"
         "`clothbench study`. A case that\n"
         "dies, hangs or is refused is a row, too. If the plan names a measure that has\n"
         "to fall along an axis (refinement, remedies), falls.csv lists it, and the exit\n"

@@ -101,8 +101,12 @@ void sweep_rows_clear(struct sweep_rows *rows); /* all-zero is allowed */
 enum status sweep_rows_set(struct sweep_rows *rows, long number, enum sweep_state state,
                            const struct run_result *result, const char *why);
 
-/* Refuses a reference that is no value of an axis, or whose fields are not kept:
- * STATUS_INPUT with a sentence. */
+/* Returns the case of the same study that has these labels and else those of case `number`;
+ * -1: there is none. */
+long sweep_rows_with(const struct plan *plan, long number,
+                     const struct plan_settings *labels);
+
+/* Refuses a reference whose fields are not kept: STATUS_INPUT with a sentence. */
 enum status sweep_rows_check(const struct plan *plan, struct message *why);
 
 /* Reads all rows from the files of their cases, and compares each with its reference if
@@ -120,7 +124,7 @@ enum status sweep_rows_save(const struct sweep_rows *rows, const char *folder,
 void sweep_rows_print(const struct sweep_rows *rows, FILE *file);
 
 /* --- The fall (sweep_falls.c) of a measure along an axis of a plan (`falls`): a row for
- * each choice of the other keys, the values of the axis as columns, and where it grows.
+ * each choice of the other labels, the values of the axis as columns, and where it grows.
  */
 struct sweep_falls {
     struct table *table; /* NULL: the plan says of nothing that it falls         owned */

@@ -4,49 +4,27 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Says if all listed cases have names, which then stand for their keys. */
-static bool is_named(const struct plan *plan)
-{
-    for (int n = 0; n < plan->listed_count; n++)
-        if (!plan->listed[n].name)
-            return false;
-    return plan->listed_count > 0;
-}
-
-/* Says if a key has a column: one of another axis or of listed cases without names. */
-static bool is_shown(const struct plan *plan, const char *key)
-{
-    bool shown = false;
-
-    for (int n = 0; n < plan->listed_count && !is_named(plan); n++)
-        shown |= plan_settings_find(&plan->listed[n].settings, key) != NULL;
-    for (int n = 0; n < plan->axis_count; n++)
-        shown |= !strcmp(plan->axes[n].key, key);
-    return shown && strcmp(key, plan->falls.along) != 0;
-}
-
-/* Makes the columns: names, the other keys, the values of the axis (at_1, at_2, ... to
- * machines), the last bar, where it grows. */
+/* Makes the columns: the other axes, the values of the axis (at_1, at_2, ... to machines),
+ * the last bar, where it grows. */
 static enum status create_table(struct sweep_falls *f, const struct plan *plan,
-                                const struct plan_settings *values)
+                                const struct plan_axis *along)
 {
     enum { KEY = 32 };
-    const int most = plan->key_count + values->count + 3;
+    const struct plan_study *study = plan->studies;
+    const int most = study->axis_count + along->count + 2;
     struct table_column *columns = calloc((size_t)most, sizeof *columns), *c = columns;
     char caption[256];
 
-    f->keys = calloc((size_t)values->count, KEY);
+    f->keys = calloc((size_t)along->count, KEY);
     if (columns && f->keys) {
-        if (is_named(plan))
-            *c++ = (struct table_column){"name", .align = TABLE_LEFT};
-        for (int k = 0; k < plan->key_count; k++)
-            if (is_shown(plan, plan->keys[k]))
-                *c++ = (struct table_column){plan->keys[k], .align = TABLE_LEFT,
-                                             .key = plan->keys[k]};
-        for (int n = 0; n < values->count; n++) {
+        for (int n = 0; n < study->axis_count; n++)
+            if (&study->axis[n] != along)
+                *c++ = (struct table_column){study->axis[n].name, .align = TABLE_LEFT,
+                                             .key = study->axis[n].name};
+        for (int n = 0; n < along->count; n++) {
             char *key = f->keys + n * KEY;
             snprintf(key, KEY, "at_%d", n + 1);
-            *c++ = (struct table_column){values->list[n].value, .key = key};
+            *c++ = (struct table_column){along->levels[n].label, .key = key};
         }
         *c++ = (struct table_column){"may grow by", .key = "by"};
         *c++ = (struct table_column){"grows at", .align = TABLE_LEFT};
@@ -68,24 +46,31 @@ static const char *lack_of(const struct sweep_row *row, double value, double by)
                                            : NULL;
 }
 
-/* Judges the cases first, first + stride, ...; adds their cells, the last bar, and where
- * the measure grows. */
+/* Judges the cases that differ from `first` along the axis alone; adds their cells, the
+ * last bar, and where the measure grows. */
 static void judge(struct sweep_falls *f, const struct sweep_rows *rows,
-                  const struct plan_settings *values, long first, long stride)
+                  const struct plan_axis *along, long first)
 {
     const struct plan_falls *falls = &rows->plan->falls;
     double least = INFINITY, bar = NAN;
     char grows_at[512] = "";
     int judged = 0;
 
-    for (int n = 0; n < values->count; n++) {
-        const struct sweep_row *row = &rows->row[first + n * stride];
+    for (int n = 0; n < along->count; n++) {
+        struct plan_setting label = {along->name, along->levels[n].label, 0};
+        const long at =
+            sweep_rows_with(rows->plan, first, &(struct plan_settings){1, &label});
+        if (at < 0) {
+            table_missing(f->table, "left out");
+            continue;
+        }
+        const struct sweep_row *row = &rows->row[at];
         const double value = row->value[falls->measure];
         const double by = falls->by >= 0 ? row->value[falls->by] : 0;
         const char *lack = lack_of(row, value, by);
         const bool died = status_is_death(row->outcome) && isfinite(least);
         if (died || (!lack && value > least + by))
-            TEXT_JOIN(grows_at, " ", "%s", values->list[n].value);
+            TEXT_JOIN(grows_at, " ", "%s", label.value);
         judged += !lack || died;
         if (lack) {
             table_missing(f->table, "%s", lack);
@@ -100,42 +85,29 @@ static void judge(struct sweep_falls *f, const struct sweep_rows *rows,
     f->grown += *grows_at != '\0';
 }
 
-static enum status add_row(struct sweep_falls *f, const struct sweep_rows *rows,
-                           const struct plan_settings *values, long first, long stride)
-{
-    const struct plan *plan = rows->plan;
-    struct plan_case c = {0};
-    enum status st;
-
-    TRY(plan_case_given(plan, first, &c));
-    table_row(f->table);
-    if (is_named(plan))
-        table_add(f->table, "%s", c.name);
-    for (int k = 0; k < plan->key_count; k++)
-        if (is_shown(plan, plan->keys[k]))
-            table_add(f->table, "%s", c.given[k] ? c.given[k]->value : "");
-    judge(f, rows, values, first, stride);
-out:
-    plan_case_clear(&c);
-    return st;
-}
-
 enum status sweep_falls_judge(struct sweep_falls *f, const struct sweep_rows *rows)
 {
     const struct plan *plan = rows->plan;
-    const struct plan_axis *axis = plan->axes + plan->axis_count;
-    long stride = 1; /* cases from one value of the axis to the next */
+    const struct plan_study *study = plan->studies;
+    const struct plan_axis *along = study->axis;
     enum status st = STATUS_OK;
 
     *f = (struct sweep_falls){0};
     if (!plan->falls.along)
         return st;
-    while (strcmp((--axis)->key, plan->falls.along) != 0)
-        stride *= axis->values.count;
-    TRY(create_table(f, plan, &axis->values));
-    for (long n = 0; n < rows->count; n++)
-        if (n / stride % axis->values.count == 0)
-            TRY(add_row(f, rows, &axis->values, n, stride));
+    while (strcmp(along->name, plan->falls.along) != 0)
+        along++;
+    TRY(create_table(f, plan, along));
+    for (int n = 0; n < study->level_count; n++) {
+        const struct plan_level *level = &study->levels[n];
+        if (level->part[along - study->axis] != along->levels)
+            continue;
+        table_row(f->table);
+        for (int a = 0; a < study->axis_count; a++)
+            if (&study->axis[a] != along)
+                table_text(f->table, "%s", level->part[a]->label);
+        judge(f, rows, along, n);
+    }
 out:
     return st;
 }

@@ -20,7 +20,7 @@ static struct dimension find_dimension(const struct plan *plan, const char *name
 
     for (int k = 0; name && k < plan->key_count; k++)
         if (!strcmp(plan->keys[k], name))
-            d.key = k;
+            d.key = k, d.measure = -1;
     return d;
 }
 
@@ -47,14 +47,25 @@ static void write_title(const struct dimension *d, char title[64])
             snprintf(title, 64, "%s", known[n][1]);
 }
 
+/* Returns what a case has for a key, or its label on an axis. */
+static const char *word_of(const struct dimension *d, const struct plan_case *c,
+                           const char *none)
+{
+    const char *label = plan_label(c->study, c->level, d->name);
+
+    return d->key >= 0 ? (c->given[d->key] ? c->given[d->key]->value : none)
+           : label     ? label
+                       : none;
+}
+
 /* Adds the place of a case in a direction: words as the plan has them, or a measure. */
 static void add_place(struct table *t, const struct dimension *d, const struct plan_case *c,
                       const struct sweep_row *row)
 {
-    if (d->key < 0)
+    if (d->measure >= 0)
         table_add(t, "%.6g", row->value[d->measure]);
     else
-        table_text(t, "%s", c->given[d->key] ? c->given[d->key]->value : "");
+        table_text(t, "%s", word_of(d, c, ""));
 }
 
 static void add_panel(struct table *t, const struct dimension *d, const struct plan_case *c,
@@ -62,13 +73,12 @@ static void add_panel(struct table *t, const struct dimension *d, const struct p
 {
     char text[256] = "";
 
-    if (d->name && !strcmp(d->name, "name"))
-        snprintf(text, sizeof text, "%s", c->name ? c->name : "-");
-    else if (d->name && d->key >= 0)
-        snprintf(text, sizeof text, "%s = %s", d->name,
-                 c->given[d->key] ? c->given[d->key]->value : "-");
-    else if (d->name)
+    if (d->name && d->measure >= 0)
         snprintf(text, sizeof text, "%s = %.4g", d->name, row->value[d->measure]);
+    else if (d->name && d->key >= 0)
+        snprintf(text, sizeof text, "%s = %s", d->name, word_of(d, c, "-"));
+    else if (d->name)
+        snprintf(text, sizeof text, "%s", word_of(d, c, "-"));
     table_text(t, "%s", text);
 }
 

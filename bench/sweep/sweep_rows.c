@@ -55,45 +55,27 @@ enum status sweep_rows_set(struct sweep_rows *rows, long number, enum sweep_stat
     return row->label && row->why ? STATUS_OK : STATUS_MEMORY;
 }
 
-/* --- the reference of a case: the one that has the plan's `reference` on its axes and else
- * the values of the case ----------------------------------------------------------------
+/* --- the reference of a case ------------------------------------------------------------
  */
+
+long sweep_rows_with(const struct plan *plan, long number,
+                     const struct plan_settings *labels)
+{
+    const struct plan_study *study = plan->studies;
+    long before = 0;
+
+    while (number >= before + study->level_count)
+        before += study++->level_count;
+    const int found = plan_level_with(study, &study->levels[number - before], labels);
+    return found < 0 ? -1 : before + found;
+}
 
 enum status sweep_rows_check(const struct plan *plan, struct message *why)
 {
-    for (int n = 0; n < plan->reference.count; n++) {
-        const struct plan_setting *s = &plan->reference.list[n];
-        bool known = false;
-        for (int k = 0; k < plan->axis_count; k++)
-            for (int v = 0; v < plan->axes[k].values.count; v++)
-                known |= !strcmp(plan->axes[k].key, s->key) &&
-                         !strcmp(plan->axes[k].values.list[v].value, s->value);
-        if (!known || plan->keep != PLAN_KEEP_SNAPSHOTS)
-            return plan_case_refuse(plan, s->line, why,
-                                    known ? "a plan with a reference must keep snapshots"
-                                          : "the reference has %.40s: %.60s, which is no "
-                                            "value of an axis",
-                                    s->key, s->value);
-    }
-    return STATUS_OK;
-}
-
-static long reference_of(const struct plan *plan, long number)
-{
-    long stride = 1, found = number;
-
-    for (int n = plan->axis_count - 1; n >= 0; n--) {
-        const struct plan_axis *axis = &plan->axes[n];
-        const struct plan_setting *s = plan_settings_find(&plan->reference, axis->key);
-        int k = (int)(number / stride % axis->values.count);
-        found -= k * stride;
-        for (int v = axis->values.count - 1; s && v >= 0; v--)
-            if (!strcmp(axis->values.list[v].value, s->value))
-                k = v;
-        found += k * stride;
-        stride *= axis->values.count;
-    }
-    return found;
+    return plan->reference.count && plan->keep != PLAN_KEEP_SNAPSHOTS
+               ? plan_case_refuse(plan, plan->reference.list->line, why,
+                                  "a plan with a reference must keep snapshots")
+               : STATUS_OK;
 }
 
 /* The reference that was read last. */
@@ -147,7 +129,7 @@ static enum status read_row(struct sweep_rows *rows, long number,
 {
     const struct plan *plan = rows->plan;
     const bool compared = plan->reference.count > 0;
-    const long other = compared ? reference_of(plan, number) : -1;
+    const long other = compared ? sweep_rows_with(plan, number, &plan->reference) : -1;
     struct run_result r = {0};
     struct message sentence = {""};
     enum sweep_state state;
@@ -182,21 +164,31 @@ out:
 /* --- files for machines ----------------------------------------------------------------
  */
 
-/* Creates table.csv: every key and measure; a key that has another column's name gets one
- * of its own. */
+static bool is_axis(const struct plan *plan, const char *name)
+{
+    const struct plan_study *first = plan->studies;
+
+    return plan_label(first, first->levels, name);
+}
+
+/* Creates table.csv: labels, every key that is no axis, and every measure; a key that has
+ * a measure's name gets one of its own. */
 static struct table *create_table(const struct plan *plan)
 {
-    const int count = 2 + plan->key_count + MEASURES + 3;
+    const struct plan_study *first = plan->studies;
+    const int count = first->axis_count + plan->key_count + MEASURES + 5;
     struct table_column *columns = calloc((size_t)count, sizeof *columns), *c = columns;
 
     if (!columns)
         return NULL;
-    *c++ = (struct table_column){"case"};
-    *c++ = (struct table_column){"name"};
-    for (int k = 0; k < plan->key_count; k++, c++) {
-        c->header = plan->keys[k];
-        c->key = strcmp(c->header, "name") ? c->header : NULL;
-    }
+    *c++ = (struct table_column){"number"};
+    if (plan->study_count > 1)
+        *c++ = (struct table_column){"study"};
+    for (int n = 0; n < first->axis_count; n++, c++)
+        c->header = c->key = first->axis[n].name;
+    for (int k = 0; k < plan->key_count; k++)
+        if (!is_axis(plan, plan->keys[k]))
+            c->header = c->key = plan->keys[k], c++;
     for (int n = 0; n < MEASURES; n++, c++) {
         c->header = measure_name(n);
         c->unit = measure_unit(n);
@@ -207,17 +199,30 @@ static struct table *create_table(const struct plan *plan)
     *c++ = (struct table_column){"verdict"};
     *c++ = (struct table_column){"labels"};
     *c++ = (struct table_column){"outcome"};
-    struct table *t = table_create(count, columns, NULL);
+    struct table *t = table_create((int)(c - columns), columns, NULL);
     free(columns);
     return t;
+}
+
+/* Adds the label of a case on an axis; empty where its study has no such axis. */
+static void add_label(struct table *t, const struct plan_case *c, const char *axis)
+{
+    const char *label = plan_label(c->study, c->level, axis);
+
+    table_text(t, "%s", label ? label : "");
 }
 
 static void add_case(struct table *t, const struct plan *plan, const struct plan_case *c,
                      const struct sweep_row *row)
 {
-    table_line(t, "%ld|%s", c->number + 1, c->name ? c->name : "");
+    table_line(t, "%ld", c->number + 1);
+    if (plan->study_count > 1)
+        add_label(t, c, "study");
+    for (int n = 0; n < plan->studies->axis_count; n++)
+        add_label(t, c, plan->studies->axis[n].name);
     for (int k = 0; k < plan->key_count; k++)
-        table_add(t, "%s", c->given[k] ? c->given[k]->value : "");
+        if (!is_axis(plan, plan->keys[k]))
+            table_add(t, "%s", c->given[k] ? c->given[k]->value : "");
     for (int n = 0; n < MEASURES; n++)
         table_add(t, "%.6g", row->value[n]);
     table_add(t, "%s|%s|%s", verdict_kind_word[row->verdict.kind], row->label, row->why);
@@ -234,7 +239,7 @@ static void add_seconds(struct table *t, long number, const struct sweep_row *ro
 enum status sweep_rows_save(const struct sweep_rows *rows, const char *folder,
                             struct message *why)
 {
-    static const struct table_column columns[] = {{"case"},
+    static const struct table_column columns[] = {{"number"},
                                                   {"create", "s", .key = "create"},
                                                   {"steps", "s", .key = "steps"},
                                                   {"looks", "s", .key = "looks"}};
@@ -267,11 +272,9 @@ static void print_plan(const struct plan *plan, FILE *file)
     fprintf(file, "%s: %ld cases", plan->name, plan_case_count(plan));
     if (scene)
         fprintf(file, " of %s", scene->value);
-    if (plan->listed_count)
-        fprintf(file, "; %d listed", plan->listed_count);
-    for (int n = 0; n < plan->axis_count; n++)
-        fprintf(file, "%s%d of %s", n || plan->listed_count ? " x " : "; ",
-                plan->axes[n].values.count, plan->axes[n].key);
+    for (int n = 0; n < plan->studies->axis_count; n++)
+        fprintf(file, "%s%d of %s", n ? " x " : "; ", plan->studies->axis[n].count,
+                plan->studies->axis[n].name);
     fprintf(file, "\n\n");
 }
 

@@ -15,7 +15,7 @@ int main(int argc, char **argv)
 
     if (argc != 3 || contestant_find(argv[2], &who, &why))
         goto out;
-    st = run_open(&run, &(struct run_plan){.path = argv[1], .contestant = who}, &why);
+    st = run_open(&run, &(struct case_plan){.path = argv[1], .contestant = who}, &why);
     for (double t = 0; !st && t < run.scene.end - run.scene.step / 2;) {
         double x[3];
         t += run.scene.step;

@@ -288,7 +288,7 @@ def figures(top, room):
                        most=6)
         if shown or trouble:
             made.append(Part(f"figure{number_}", f"Fig. {number_}: {words}", trouble=trouble,
-                             strips=shown, quick=(place / "quick.txt").exists()))
+                             strips=shown, quick=results.is_quick(place)))
     return made
 
 # --- what a folder holds ---------------------------------------------------------------------
@@ -351,7 +351,7 @@ def parts_of(top, room):
             groups = [(name, printed + own if printed else tables, runs)]
         for title, of, h5 in groups:
             part = Part(re.sub(r"\W", "_", title), title.replace("_", " "), trouble=list(trouble),
-                        quick=(folder / "quick.txt").exists())
+                        quick=results.is_quick(folder))
             read_tables(part, of)
             summaries(part)
             if h5 and folder.name not in {f[1] for f in FIGURES}:

@@ -183,6 +183,18 @@ def run(path, most=12, times=None, step=4):
         except (OSError, KeyError, ValueError, RuntimeError, TypeError) as error:
             raise Bad(f"{path}: cannot be read: {error}") from None
 
+def is_quick(folder, most=20):
+    """Whether one of the first runs of a folder says that it is of --quick: of less than its name says."""
+    import h5py
+    for path in sorted(folder.glob("*.h5"))[:most]:
+        try:
+            with opened(path, H5_MOST) as raw, h5py.File(raw, "r") as file:
+                if "quick" in file.attrs:
+                    return True
+        except (OSError, RuntimeError, ValueError, Bad):
+            continue
+    return False
+
 def _run(numpy, path, file, most, times, step):
     from . import bodies
     xyz, when = numbers(path, file, "xyz"), numbers(path, file, "xyz_time")

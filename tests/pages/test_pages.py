@@ -163,7 +163,6 @@ def test_page_of_others(tmp_path):
     (tmp_path / "run_edge_drop").mkdir()
     sheet(tmp_path / "run_edge_drop" / "mine.h5", np.random.default_rng(2).random((2, 2, 100, 100, 3)),
           scene_name=HOSTILE)
-    (tmp_path / "quick.txt").write_text("")
     (tmp_path / "study_mine" / "away.csv").symlink_to("/etc/passwd")
     text = page.report(tmp_path)
     found = Page(text)

@@ -130,8 +130,7 @@ static enum status read_run(const struct judged *r, struct run *run, struct mess
     settings_list(&settings, STRESS_SETTINGS, c->numerics);
     TRY(run_read(run, &(struct case_plan){stress_scene, s->contestant, settings}, why));
     if (c->gamma > 0)
-        run->scene.young =
-            derived_key_solve("gamma", "material.young", c->gamma, &run->scene);
+        run->scene.young = derived_key_young("gamma", c->gamma, &run->scene);
     if (c->weight_ratio > 0)
         TRY(give_weights(&run->discretization, c->weight_ratio));
     if (c->needles)

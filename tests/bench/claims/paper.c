@@ -235,8 +235,8 @@ static void add_fourth(struct cells *c)
         REQUIRE(plan_case_scene(&one, &scene, NULL) == STATUS_OK);
         snprintf(row, WORD, "%d", n + 1);
         words_of(p->labels, words);
-        CHECK(is_row(&plan.listed[n].settings, n) && scene.young == p->young);
-        CHECK(plan.listed[n].name && atoi(plan.listed[n].name + strlen("row ")) == n + 1);
+        CHECK(is_row(&one.level->part[0]->settings, n) && scene.young == p->young);
+        CHECK(atoi(one.level->part[0]->label + strlen("row ")) == n + 1);
         CHECK(scene.density == p->density && scene.damping.value == p->damping);
         ADD(c, 4, row, "E", "%.17g", p->young);
         ADD(c, 4, row, "nu", "%.17g", scene.poisson);

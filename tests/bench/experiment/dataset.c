@@ -22,11 +22,10 @@ static struct plan plan_of(const char *text)
 
 #define PLAN                                                                               \
     "name: told\nsource: numbers made up\nscene: edge_drop\n"                              \
-    "levels:\n"                                                                            \
-    "  - {label: 5x5x2, size: 0.5, paper_ms: 12.5, settings: "                             \
-    "{discretization.points: [5,5,2]}}\n"                                                  \
-    "  - {label: 7x7x2, size: 0.25, settings: {discretization.points: [7,7,2]}}\n"         \
-    "  - {label: 9x9x2, size: 0.125, settings: {discretization.points: [9,9,2]}}\n"
+    "axes:\n  level:\n"                                                                    \
+    "    5x5x2: {size: 0.5, paper_ms: 12.5, discretization.points: [5,5,2]}\n"             \
+    "    7x7x2: {size: 0.25, discretization.points: [7,7,2]}\n"                            \
+    "    9x9x2: {size: 0.125, discretization.points: [9,9,2]}\n"
 
 static void set(struct study_row *row, int time, enum quantity q, double value)
 {

@@ -49,12 +49,13 @@ static void check_products(void)
         "name: products",
         "source: a test",
         "scene: edge_drop",
-        "levels: {net: [{label: A, size: 0.3, timed: 5}, {label: B, paper_ms: 7}],",
-        "         step: [{label: 1 s}, {label: 2 s, phases: true}]}",
+        "times: []",
+        "axes: {net: {A: {size: 0.3, timed: 5}, B: {paper_ms: 7}},",
+        "       step: {1 s: {}, 2 s: {phases: true}}}",
         "skip: [{net: A, step: 1 s}, {net: B, step: 2 s, quick: true}]"};
     struct plan plan;
 
-    REQUIRE(read_plan(text, 6, 0, "", &plan, NULL) == STATUS_OK);
+    REQUIRE(read_plan(text, 7, 0, "", &plan, NULL) == STATUS_OK);
     const struct plan_level *level = plan.studies->levels;
     REQUIRE(plan.studies->level_count == 3);
     CHECK(!strcmp(level[0].label, "A, 2 s") && !strcmp(level[0].name, "a_2_s"));
@@ -76,11 +77,10 @@ static void check_quotes(void)
     } places[] = {
         {GOOD, LINES, 3, "scene: %sedge_drop%s"},
         {GOOD, LINES, 4, "model: %siga%s"},
-        {GOOD, LINES, 9, "cases: [{scene: %sedge_drop%s, model: %siga%s}]"},
+        {GOOD, LINES, 7, "  case: {a: {scene: %sedge_drop%s, model: %siga%s}}"},
         {STUDIES, STUDY_LINES, 3, "scene: %sedge_drop%s"},
-        {STUDIES, STUDY_LINES, 11,
-         "  - {name: edge, scene: %sedge_drop%s, model: %siga%s}"},
-        {STUDIES, STUDY_LINES, 5, "  - {label: 5x5x2, model: %siga%s}"},
+        {STUDIES, STUDY_LINES, 11, "  edge: {scene: %sedge_drop%s, model: %siga%s}"},
+        {STUDIES, STUDY_LINES, 5, "  5x5x2: {model: %siga%s},"},
     };
     static const char *const quotes[] = {"", "\"", "'"};
 
@@ -97,10 +97,7 @@ static void check_quotes(void)
             printf("  %s: %s\n", text, why.text);
             continue;
         }
-        const struct plan_study *s = plan.study_count ? &plan.studies[0] : NULL;
-        const enum status st = s ? plan_case_level(&plan, s, s->levels, false, &c, &why)
-                                 : plan_case_open(&plan, 0, &c, &why);
-        REQUIRE(st == STATUS_OK);
+        REQUIRE(plan_case_open(&plan, 0, &c, &why) == STATUS_OK);
         CHECK(strstr(c.run.path, "edge_drop.yaml") &&
               !strcmp(c.run.contestant->name, "iga"));
         plan_case_clear(&c);
@@ -108,14 +105,15 @@ static void check_quotes(void)
     }
 }
 
-/* A study without keys is at rest, has no truth, is not timed. */
+/* A study at rest has no truth and is not timed unless it says so. */
 static void check_bare_study(void)
 {
     static const char *const text[] = {"name: bare", "source: a test", "scene: edge_drop",
-                                       "levels: [{label: \"Some Net, p = 2\"}]"};
+                                       "axes: {net: {\"Some Net, p = 2\": {}}}",
+                                       "times: []"};
     struct plan plan;
 
-    REQUIRE(read_plan(text, 4, 0, "", &plan, NULL) == STATUS_OK);
+    REQUIRE(read_plan(text, 5, 0, "", &plan, NULL) == STATUS_OK);
     const struct plan_study *s = &plan.studies[0];
     CHECK(plan.study_count == 1 && !strcmp(s->name, "bare") &&
           !strcmp(s->caption, "a test"));
@@ -125,7 +123,7 @@ static void check_bare_study(void)
     plan_clear(&plan);
 }
 
-/* The combinations in their order, and Gamma through the thickness. */
+/* The combinations in their order, and Gamma by E. */
 static void check_good(void)
 {
     static const char *const dampings[] = {"0.1", "0.5"};
@@ -146,11 +144,12 @@ static void check_good(void)
 
         REQUIRE(plan_case_open(&plan, n, &c, &why) == STATUS_OK);
         REQUIRE(plan_case_scene(&c, &scene, &why) == STATUS_OK);
-        CHECK(n < 6 ? c.name && !strcmp(c.name, "a") : !c.name);
+        CHECK(!strcmp(plan_label(c.study, c.level, "case"), n < 6 ? "a" : "b"));
         CHECK(scene.poisson == (n < 6 ? 0.3 : 0.2) && scene.end == 0.5);
         CHECK_RELATIVE(scene_gamma(&scene), gammas[n / 2 % 3], tol_gamma);
         CHECK(scene.damping.value == strtod(dampings[n % 2], NULL));
-        CHECK(scene.young == 1e5 && !strcmp(c.run.contestant->name, "iga"));
+        CHECK((scene.thickness == 0.02) == (n < 6) &&
+              !strcmp(c.run.contestant->name, "iga"));
         scene_clear(&scene);
         plan_case_clear(&c);
     }
@@ -165,28 +164,26 @@ static void check_ranges(void)
         int count;
         const char *values[5];
     } ranges[] = {
-        {"{key: damping.value, from: 0.1, to: 0.9, count: 3}", 3, {"0.1", "0.5", "0.9"}},
-        {"{key: damping.value, from: 1, to: 0, count: 4}",
+        {"{from: 0.1, to: 0.9, count: 3}", 3, {"0.1", "0.5", "0.9"}},
+        {"{from: 1, to: 0, count: 4}",
          4,
          {"1", "0.6666666666666667", "0.33333333333333337", "0"}},
-        {"{key: damping.value, from: 0.01, to: 1, count: 5, scale: log}",
+        {"{from: 0.01, to: 1, count: 5, scale: log}",
          5,
          {"0.01", "0.0316227766016838", "0.1", "0.31622776601683794", "1"}},
-        {"{key: damping.value, from: 0.1, to: 0.3, count: 2, scale: linear}",
-         2,
-         {"0.1", "0.3"}},
+        {"{from: 0.1, to: 0.3, count: 2, scale: linear}", 2, {"0.1", "0.3"}},
     };
 
     for (size_t n = 0; n < sizeof ranges / sizeof *ranges; n++) {
         struct plan plan;
         char line[128];
-        snprintf(line, sizeof line, "  - %s", ranges[n].axis);
-        REQUIRE(read_plan(GOOD, LINES, 8, line, &plan, NULL) == STATUS_OK);
-        const struct plan_axis *axis = &plan.axes[1];
-        REQUIRE(axis->values.count == ranges[n].count && axis->line == 8);
-        for (int i = 0; i < axis->values.count; i++)
-            if (!CHECK(!strcmp(axis->values.list[i].value, ranges[n].values[i])))
-                printf("  %s: %s\n", ranges[n].axis, axis->values.list[i].value);
+        snprintf(line, sizeof line, "  damping.value: %s", ranges[n].axis);
+        REQUIRE(read_plan(GOOD, LINES, 9, line, &plan, NULL) == STATUS_OK);
+        const struct plan_axis *axis = &plan.studies->axis[2];
+        REQUIRE(axis->count == ranges[n].count && axis->line == 9);
+        for (int i = 0; i < axis->count; i++)
+            if (!CHECK(!strcmp(axis->levels[i].label, ranges[n].values[i])))
+                printf("  %s: %s\n", ranges[n].axis, axis->levels[i].label);
         plan_clear(&plan);
     }
 }
@@ -206,7 +203,8 @@ static void check_values(void)
 
     REQUIRE(file);
     fputs("name: values\nsource: a test\nsettings:\n  a: [{at: {u: 0, w: 1}, fix: xyz}]\n"
-          "  b:\n    kind: mass\n    value: [1, 2, [3]]\n  c: \"it's: so\"\n  d: plain\n",
+          "  b:\n    kind: mass\n    value: [1, 2, [3]]\n  c: \"it's: so\"\n  d: plain\n"
+          "axes: {e: [1]}\n",
           file);
     REQUIRE(fclose(file) == 0);
     if (!CHECK(plan_parse(path, &plan, &why) == STATUS_OK))
@@ -223,9 +221,9 @@ static void check_values(void)
 /* A stand-in wherever it stands among the keys: first, here. */
 static void check_first(void)
 {
-    static const char *const text[] = {
-        "name: first", "source: a test", "settings: {gamma: 100}",
-        "axes: [{key: scene, values: [edge_drop]}, {key: damping.value, values: [0.5]}]"};
+    static const char *const text[] = {"name: first", "source: a test",
+                                       "settings: {gamma: 100}",
+                                       "axes: {scene: [edge_drop], damping.value: [0.5]}"};
     struct plan plan;
     struct plan_case c;
     struct scene scene;
@@ -247,9 +245,9 @@ static void check_many(void)
     struct plan plan;
     struct message why = {""};
 
-    CHECK(read_plan(GOOD, LINES, 8,
-                    "  - {key: damping.value, values: [0.1, 0.5]}\n"
-                    "  - {key: time.step, from: 0.001, to: 0.002, count: 10000}",
+    CHECK(read_plan(GOOD, LINES, 9,
+                    "  damping.value: [0.1, 0.5]\n"
+                    "  time.step: {from: 0.001, to: 0.002, count: 10000}",
                     &plan, &why) == STATUS_INPUT);
     CHECK(strstr(why.text, ".yaml:1: the plan has more than 100000 cases"));
 }

@@ -88,12 +88,10 @@ static const char *const light =
     "name: light\nsource: a light plate\nscene: cantilever_transient\nmodel: shell\n"
     "settings: {material.density: 1e-4, discretization.kinematics: linear,\n"
     "           time.step: 0.0005}\n"
-    "levels:\n"
-    "  - {label: 6x6, name: \"6\", size: 0.25, settings: {discretization.points: [6,6]}}\n"
-    "  - {label: 10x10, name: \"10\", size: 0.125,\n"
-    "     settings: {discretization.points: [10,10]}}\n"
-    "  - {label: 18x18, name: \"18\", size: 0.0625,\n"
-    "     settings: {discretization.points: [18,18]}}\n"
+    "axes:\n  level:\n"
+    "    6x6: {name: \"6\", size: 0.25, discretization.points: [6,6]}\n"
+    "    10x10: {name: \"10\", size: 0.125, discretization.points: [10,10]}\n"
+    "    18x18: {name: \"18\", size: 0.0625, discretization.points: [18,18]}\n"
     "times: [0.05, 0.1]\ntruth: true\ntimed: 1\n";
 
 static void against_truth(void)
@@ -134,22 +132,19 @@ static void against_truth(void)
  * so late; of two times the first has one. */
 static const char *const rough =
     "name: rough\nsource: levels that end badly\nscene: edge_drop\n"
-    "model: iga_paper\nlevels:\n"
-    "  - {label: calm, settings: {discretization.points: [5,5,2]}}\n"
-    "  - {label: wild, settings: {material.density: 0.1, material.young: 5e4,\n"
-    "                             damping.value: 0.9}}\n"
-    "  - {label: odd, settings: {discretization.remedy: incompatible}}\n"
+    "model: iga_paper\naxes:\n  level:\n"
+    "    calm: {discretization.points: [5,5,2]}\n"
+    "    wild: {material.density: 0.1, material.young: 5e4, damping.value: 0.9}\n"
+    "    odd: {discretization.remedy: incompatible}\n"
     "times: [0.05, 0.35]\ntimed: 1\n"
     "studies:\n"
-    "  - {name: rough, caption: levels that end badly}\n"
-    "  - {name: late, scene: flag, settings: {damping: {kind: none}},\n"
-    "     truth: true, times: [0.5],\n"
-    "     levels: [{label: Flat Sheet, settings: {discretization.points: [4,4,2]}}]}\n"
-    "  - {name: early, scene: flag, settings: {damping: {kind: none}},\n"
-    "     truth: true, times: [0.1, 0.5],\n"
-    "     levels: [{label: Flat Sheet, settings: {discretization.points: [4,4,2]}}]}\n"
-    "  - {name: scaled, truth: true, times: [0.05],\n"
-    "     levels: [{label: coarse, settings: {discretization.points: [4,4,2]}}]}\n";
+    "  rough: {caption: levels that end badly}\n"
+    "  late: {scene: flag, damping: {kind: none}, truth: true, times: [0.5],\n"
+    "    axes: {level: {Flat Sheet: {discretization.points: [4,4,2]}}}}\n"
+    "  early: {scene: flag, damping: {kind: none}, truth: true, times: [0.1, 0.5],\n"
+    "    axes: {level: {Flat Sheet: {discretization.points: [4,4,2]}}}}\n"
+    "  scaled: {truth: true, times: [0.05],\n"
+    "    axes: {level: {coarse: {discretization.points: [4,4,2]}}}}\n";
 
 static void deaths_and_refusals(void)
 {
@@ -188,10 +183,10 @@ static const char *const few =
     "name: few\nsource: few iterations\nscene: hanging\nmodel: vbd\n"
     "settings: {material.young: 9.81e5, discretization.points: [6,6],\n"
     "           discretization.substeps: 1}\n"
-    "levels:\n"
-    "  - {label: \"1\", settings: {discretization.iterations: 1}}\n"
-    "  - {label: \"64\", settings: {discretization.iterations: 64}}\n"
-    "  - {label: free, settings: {damping: {kind: none}, discretization.iterations: 64}}\n"
+    "axes:\n  level:\n"
+    "    1: {discretization.iterations: 1}\n"
+    "    64: {discretization.iterations: 64}\n"
+    "    free: {damping: {kind: none}, discretization.iterations: 64}\n"
     "times: [0.3]\n";
 
 static void few_iterations(void)
@@ -221,17 +216,15 @@ static void rest_and_quick(void)
         plan_of("statics",
                 "name: statics\nsource: statics\nscene: cantilever\nmodel: shell_linear\n"
                 "settings: {discretization.points: [6,6]}\n"
-                "levels:\n"
-                "  - {label: thin, settings: {sheet.thickness: 0.001}}\n"
-                "  - {label: thick, settings: {sheet.thickness: 0.005},\n"
-                "     quick: {sheet.thickness: 0.004}}\n"
-                "  - {label: odd, settings: {discretization.points: [2,2]}}\n"
+                "axes:\n  level:\n"
+                "    thin: {sheet.thickness: 0.001}\n"
+                "    thick: {sheet.thickness: 0.005, quick: {sheet.thickness: 0.004}}\n"
+                "    odd: {discretization.points: [2,2]}\n"
                 "studies:\n"
-                "  - {name: rest}\n"
-                "  - {name: motion, times: [0.01, 0.02], quick_times: [0.005]}\n");
+                "  rest: {times: []}\n"
+                "  motion: {times: [0.01, 0.02], quick_times: [0.005]}\n");
     struct study_results all;
 
-    judge_mark(folder, true);
     measure(&plan);
     REQUIRE(study_read(&plan, folder, &all, NULL) == STATUS_OK);
     const struct study *rest = study_of(&all, "rest"), *moved = study_of(&all, "motion");

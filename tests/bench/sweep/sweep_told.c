@@ -59,8 +59,8 @@ static const struct csv_table *read_table(const char *name, struct csv *csv)
 static const char plan_text[] =
     "name: told\nsource: a test\nscene: edge_drop\n"
     "settings: {time.end: 0.01, discretization.points: [4,4,2]}\n"
-    "axes: [{key: damping.value, values: [0.1, 0.2, 0.3, 0.4]}]\n"
-    "cases: [{name: \"light, so\"}, {material.density: 2}]\n"
+    "axes: {case: {\"light, so\": {}, heavy: {material.density: 2}},\n"
+    "       damping.value: [0.1, 0.2, 0.3, 0.4]}\n"
     "verdicts:\n"
     "  - {label: big, measure: drop_max, above: 0.5, why: a test}\n"
     "  - {label: odd, measure: speed_max, below: 0.1, why: a test}\n"
@@ -95,8 +95,8 @@ static void check_case(const struct csv_table *t, int n)
     const bool has_run = told[n].state == SWEEP_RAN && isfinite(told[n].value);
     const double damping = 0.1 * (n % 4 + 1), rounding = 1e-12;
 
-    CHECK(csv_number_of(t, n, "case") == n + 1);
-    CHECK(!strcmp(csv_words_of(t, n, "name"), n < 4 ? "light, so" : ""));
+    CHECK(csv_number_of(t, n, "number") == n + 1);
+    CHECK(!strcmp(csv_words_of(t, n, "case"), n < 4 ? "light, so" : "heavy"));
     CHECK(!strcmp(csv_words_of(t, n, "material.density"), n < 4 ? "" : "2"));
     CHECK_NEAR(csv_number_of(t, n, "damping.value"), damping, rounding);
     for (int m = 0; m < MEASURES; m++) {
@@ -156,7 +156,7 @@ static void check_table(void)
     csv_clear(&csv);
     t = read_table("seconds.csv", &csv);
     CHECK(t->rows == 4); /* of those that ran; the last */
-    CHECK(csv_number_of(t, 3, "case") == TOLD && csv_number_of(t, 3, "create") == 7.5);
+    CHECK(csv_number_of(t, 3, "number") == TOLD && csv_number_of(t, 3, "create") == 7.5);
     CHECK(csv_number_of(t, 3, "steps") == 7.25 && csv_number_of(t, 3, "looks") == 7);
     csv_clear(&csv);
     unlink("table.csv");
@@ -190,8 +190,8 @@ static void check_sentences(void)
 #define PLAN                                                                               \
     "name: test\nsource: a test\nscene: edge_drop\n"                                       \
     "settings: {time.end: 0.01, discretization.points: [4,4,2]}\n"
-#define DAMPING "  - {key: damping.value, values: [0.1, 0.5]}\n"
-#define GAMMA   "  - {key: gamma, values: [10, 1000], scale: log}\n"
+#define DAMPING "  damping.value: [0.1, 0.5]\n"
+#define GAMMA   "  gamma: [10, 1000]\n"
 #define TWO     "axes:\n" DAMPING GAMMA
 
 /* Plans with maps, and lines that these have. The measures of case n are n + 1; the labels
@@ -208,17 +208,17 @@ static const struct {
      {"panel,label,damping,speed_max [m/s],mark\n", "\n,feasible,0.1,1,\n", "\n,a,0.1,2,\n",
       "\n,b,0.5,3,\n"}},
     /* words */
-    {PLAN "axes:\n  - {key: damping.kind, values: [mass, velocity_scale]}\n"
+    {PLAN "axes:\n  damping.kind: [mass, velocity_scale]\n"
      DAMPING "map: {x: damping.kind, y: damping.value}\n",
      {"damping.kind,damping,", "\n,feasible,mass,0.1,\n", ",velocity_scale,0.5,"}},
     /* panels: by a key, by the cases' names */
     {PLAN TWO "map: {x: gamma, y: drop_max, panel: damping.value}\n",
      {"\ndamping.value = 0.1,feasible,10,1,\n", "\ndamping.value = 0.5,feasible,1000,4,\n"}},
-    {PLAN "cases: [{name: light}, {name: heavy, material.density: 2}]\naxes:\n" DAMPING
-     "map: {x: damping.value, y: drop_max, panel: name}\n",
+    {PLAN "axes:\n  case: {light: {}, heavy: {material.density: 2}}\n" DAMPING
+     "map: {x: damping.value, y: drop_max, panel: case}\n",
      {"\nlight,feasible,0.1,1,\n", "\nheavy,feasible,0.5,4,\n"}},
     /* a key that some cases lack */
-    {PLAN "cases: [{material.density: 2}, {material.young: 1e4}]\naxes:\n" DAMPING
+    {PLAN "axes:\n  case: {a: {material.density: 2}, b: {material.young: 1e4}}\n" DAMPING
      "map: {x: material.density, y: drop_max}\n", {"\n,a,2,2,\n", "\n,b,,3,\n"}},
     /* marks: points of other people's; E/rho from their own values */
     {PLAN TWO
@@ -226,7 +226,7 @@ static const struct {
      "at: {damping.value: 0.2, material.young: 3e4, material.density: 0.1}}]}\n",
      {"E / rho [m^2/s^2]", "\n*,theirs,0.2", "300000,one\n"}},
     /* a mark with a panel's value is on that alone, one without on all */
-    {PLAN "axes:\n" DAMPING GAMMA "  - {key: material.poisson, values: [0, 0.3]}\n"
+    {PLAN "axes:\n" DAMPING GAMMA "  material.poisson: [0, 0.3]\n"
      "map: {x: damping.value, y: gamma, panel: material.poisson, marks: [{text: one, "
      "label: theirs, at: {damping.value: 0.25, material.poisson: 0.3}}, {text: two, "
      "label: all, at: {damping.value: 0.75}}]}\n",
@@ -306,8 +306,8 @@ enum { ROWS = sizeof rows_of_falls / sizeof *rows_of_falls };
 static const char head[] =
     "name: falls\nsource: a test\nscene: edge_drop\nsettings: {time.end: 0.01}\n"
     "axes:\n"
-    "  - {key: discretization.points, values: [[4,4], [5,5], [6,6], [7,7]]}\n"
-    "  - {key: damping.value, values: [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8]}\n";
+    "  discretization.points: [[4,4], [5,5], [6,6], [7,7]]\n"
+    "  damping.value: [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8]\n";
 #define FALLS "falls: {measure: truth_error_end, along: discretization.points"
 
 /* Checks all rows, with the bar or without; all but the last have two values to compare. */
@@ -344,12 +344,12 @@ static void check_falls(bool bar)
     end(&rows, &plan);
 }
 
-/* Checks that the names of listed cases stand for their keys, and that a plan without
- * `falls` has no table. */
+/* Checks that labels stand for what they set, and that a plan without `falls` has no
+ * table. */
 static void check_names(void)
 {
     static const char *const cases[] = {
-        FALLS "}\ncases: [{name: a, material.poisson: 0}, {name: b}]\n", ""};
+        "  listed: {a: {material.poisson: 0}, b: {}}\n" FALLS "}\n", ""};
 
     for (int n = 0; n < 2; n++) {
         struct plan plan;
@@ -363,8 +363,8 @@ static void check_names(void)
         REQUIRE(sweep_falls_judge(&f, &rows) == STATUS_OK);
         CHECK(f.grown == 0 && (f.table != NULL) == (n == 0));
         if (f.table)
-            CHECK(table_find(f.table, "name") == 0 &&
-                  table_find(f.table, "damping.value") == 1 &&
+            CHECK(table_find(f.table, "damping.value") == 0 &&
+                  table_find(f.table, "listed") == 1 &&
                   table_find(f.table, "material.poisson") < 0);
         sweep_falls_clear(&f);
         end(&rows, &plan);

@@ -114,6 +114,14 @@ out:
     return st;
 }
 
+/* Returns the key of a table; NULL: it has none of this name. */
+static const struct schema_key *find_key(const struct schema_key *keys, const char *name)
+{
+    while (keys->key && strcmp(keys->key, name))
+        keys++;
+    return keys->key ? keys : NULL;
+}
+
 /* Reads a map some of whose keys are in the table, into *target, and the others settings.
  */
 static enum status read_mixed(const struct schema_key *keys, const struct yaml_tree *node,
@@ -126,11 +134,9 @@ static enum status read_mixed(const struct schema_key *keys, const struct yaml_t
         return yaml_tree_refuse(node, why, "%s is %s, but must be a map {KEY: VALUE, ...}",
                                 what, yaml_tree_describe(node).text);
     for (const struct yaml_tree *child = node->first; child; child = child->next) {
-        const struct schema_key *key = keys;
-        while (key->key && strcmp(key->key, child->key))
-            key++;
-        TRY(key->key ? schema_value(key, child, target, why)
-                     : add_value(settings, child->key, child, why));
+        const struct schema_key *key = find_key(keys, child->key);
+        TRY(key ? schema_value(key, child, target, why)
+                : add_value(settings, child->key, child, why));
     }
 out:
     return st;
@@ -458,12 +464,12 @@ out:
     return st;
 }
 
-/* Reads a label, or a list of them, on each axis of a map; of a product also what is no
- * axis. */
-static enum status read_labels(const struct yaml_tree *node, struct plan_settings *labels,
-                               struct plan_product *product, struct message *why)
+/* Reads a label, or a list of them, on each axis of a map; and into *target what is in the
+ * table and no axis. */
+static enum status read_labels(const struct schema_key *keys, const struct yaml_tree *node,
+                               void *target, struct plan_settings *labels,
+                               struct message *why)
 {
-    static const struct schema_key ms = {"paper_ms", .high = 1e9, .open = true};
     enum status st = STATUS_OK;
 
     if (node->kind != YAML_TREE_MAP)
@@ -471,18 +477,10 @@ static enum status read_labels(const struct yaml_tree *node, struct plan_setting
                                 yaml_tree_describe(node).text);
     for (const struct yaml_tree *axis = node->first; axis; axis = axis->next) {
         const bool list = axis->kind == YAML_TREE_LIST;
-        if (product && !strcmp(axis->key, "quick") && axis->text) {
-            product->quick = !strcmp(axis->text, "true");
-            if (!product->quick && strcmp(axis->text, "false"))
-                return yaml_tree_refuse(axis, why, "quick is %s, but must be true or false",
-                                        yaml_tree_describe(axis).text);
-            continue;
-        }
-        if (product && !strcmp(axis->key, ms.key)) {
-            TRY(schema_number(&ms, axis, &product->paper_ms, why));
-            continue;
-        }
-        for (const struct yaml_tree *n = list ? axis->first : axis; n;
+        const struct schema_key *key = find_key(keys, axis->key);
+        if (key)
+            TRY(schema_value(key, axis, target, why));
+        for (const struct yaml_tree *n = list ? axis->first : axis; n && !key;
              n = list ? n->next : NULL) {
             if (!n->text)
                 return yaml_tree_refuse(n, why, "%s is %s, but must be a label of the axis",
@@ -494,12 +492,19 @@ out:
     return st;
 }
 
+static const struct schema_key NONE[] = {{NULL}};
+static const struct schema_key PRODUCT[] = {
+    {"quick", .type = SCHEMA_WORD, .words = NO_OR_YES, IN(plan_product, quick)},
+    {"paper_ms", .type = SCHEMA_NUMBER, .high = 1e9, .open = true,
+     IN(plan_product, paper_ms)},
+    {NULL}};
+
 static enum status read_product(const struct yaml_tree *node, void *target,
                                 struct message *why)
 {
     struct plan_product *product = target;
 
-    return read_labels(node, &product->labels, product, why);
+    return read_labels(PRODUCT, node, product, &product->labels, why);
 }
 
 LIST_READER(read_products, plan_products, list, count, read_product)
@@ -507,7 +512,7 @@ LIST_READER(read_products, plan_products, list, count, read_product)
 static enum status read_chosen(const struct schema_key *key, const struct yaml_tree *node,
                                void *target, struct message *why)
 {
-    return read_labels(node, (void *)((char *)target + key->offset), NULL, why);
+    return read_labels(NONE, node, NULL, (void *)((char *)target + key->offset), why);
 }
 
 static enum status read_words(const struct schema_key *key, const struct yaml_tree *node,
@@ -526,32 +531,10 @@ static enum status read_words(const struct schema_key *key, const struct yaml_tr
 
 /* --- statements */
 
-/* Reads {AXIS: LABEL, why: ..., ours: true}. */
-static enum status read_reading(const struct yaml_tree *node, struct plan_reading *reading,
-                                struct message *why)
-{
-    static const struct schema_key reason = {"why", .type = SCHEMA_TEXT};
-    enum status st = STATUS_OK;
-
-    reading->name = strdup(node->key);
-    TRY(reading->name ? STATUS_OK : STATUS_MEMORY);
-    if (node->kind != YAML_TREE_MAP)
-        TRY(yaml_tree_refuse(node, why, "the reading %s is %s, but must be {AXIS: LABEL}",
-                             yaml_tree_quote(node->key).text,
-                             yaml_tree_describe(node).text));
-    for (const struct yaml_tree *n = node->first; n; n = n->next)
-        if (!strcmp(n->key, reason.key))
-            TRY(schema_text(&reason, n, &reading->why, why));
-        else if (!n->text)
-            TRY(yaml_tree_refuse(n, why, "%s is %s, but must be a label of the axis",
-                                 n->key, yaml_tree_describe(n).text));
-        else if (!strcmp(n->key, "ours"))
-            reading->ours = !strcmp(n->text, "true");
-        else
-            TRY(add_text(&reading->rows, n->key, n->text, n->line));
-out:
-    return st;
-}
+static const struct schema_key READING[] = {
+    {"why", .type = SCHEMA_TEXT, IN(plan_reading, why)},
+    {"ours", .type = SCHEMA_WORD, .words = NO_OR_YES, IN(plan_reading, ours)},
+    {NULL}};
 
 static enum status read_readings(const struct schema_key *key, const struct yaml_tree *node,
                                  void *target, struct message *why)
@@ -563,8 +546,11 @@ static enum status read_readings(const struct schema_key *key, const struct yaml
         return schema_refuse(key, node, why);
     s->readings = calloc((size_t)node->count, sizeof *s->readings);
     TRY(s->readings ? STATUS_OK : STATUS_MEMORY);
-    for (const struct yaml_tree *n = node->first; n && st == STATUS_OK; n = n->next)
-        st = read_reading(n, &s->readings[s->reading_count++], why);
+    for (const struct yaml_tree *n = node->first; n; n = n->next) {
+        struct plan_reading *r = &s->readings[s->reading_count++];
+        r->name = strdup(n->key);
+        TRY(r->name ? read_labels(READING, n, r, &r->rows, why) : STATUS_MEMORY);
+    }
 out:
     return st;
 }
@@ -582,7 +568,7 @@ static enum status read_compared(const struct schema_key *key, const struct yaml
         return schema_refuse(key, node, why);
     for (const struct yaml_tree *n = node->first; n && st == STATUS_OK; n = n->next)
         if (n->kind == YAML_TREE_MAP && rows < 2 - s->exponent)
-            st = read_labels(n, &s->row[rows++], NULL, why);
+            st = read_labels(NONE, n, NULL, &s->row[rows++], why);
         else
             st = n->text && !rows ? add_text(&s->quantity, n->text, "", n->line)
                                   : schema_refuse(key, n, why);
@@ -1263,10 +1249,10 @@ static enum status check_falls(const struct plan *plan, struct message *why)
 
     for (int n = 0; along && n < plan->study_count; n++) {
         const struct plan_axis *axis = find_axis(&plan->studies[n], along);
-        if (!axis || axis->count < 2)
+        if (!axis || axis->count < 2 || n > 0)
             return plan_case_refuse(plan, plan->falls.line, why,
                                     "falls is along %s, but must be along an axis of two "
-                                    "values at least",
+                                    "values at least, of one study",
                                     yaml_tree_quote(along).text);
     }
     return STATUS_OK;

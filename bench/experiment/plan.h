@@ -84,7 +84,7 @@ struct plan_axis {
  * given for it. The axis "study" has the names of studies as labels. */
 struct plan_product {
     struct plan_settings labels; /* axis and label; several of an axis are alternatives  */
-    bool quick;      /* of skip: only a quick run leaves them out                      */
+    int quick;       /* of skip: only a quick run leaves them out                      */
     double paper_ms; /* of paper: what somebody else's frame costs                     */
 };
 struct plan_products {
@@ -163,7 +163,7 @@ struct plan_reading {
     char *name;                /* in a few words                                owned   */
     char *why;                 /* it is the primary one; or NULL                owned   */
     struct plan_settings rows; /* axis and label                                        */
-    bool ours;                 /* no reading: what we would do instead, shown beside    */
+    int ours;                  /* no reading: what we would do instead, shown beside    */
 };
 struct plan_statement {
     char *quote, *section; /* in our words; of the paper                        owned   */

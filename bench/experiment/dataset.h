@@ -2,8 +2,8 @@
  * and claims.
  *
  * The labels of a level are its study's name on the axis "study", and its label on each
- * axis of the study, or on the axis "level" where levels are listed. A row is a level at
- * the study's last time unless {"at", "0.5"} names another, or {"at", "*"} all of them.
+ * axis of the study. A row is a level at the study's last time unless {"at", "0.5"} names
+ * another, or {"at", "*"} all of them.
  *
  *     dataset_at(d, QUANTITY_FRAME, WHERE({"solver", "direct"}, {"net", "5x5x2"}))
  */

@@ -356,8 +356,11 @@ static void check_ends(void)
     }
     begin(); /* a disk that is full is no result */
     struct verify_sheet sheet = {.check = &moves.check};
-    struct verify_subject subject = {
-        .sheet = &sheet, .contestant = &contestant, .nets = 1, .along = {10}};
+    struct verify_subject subject = {.sheet = &sheet,
+                                     .contestant = &contestant,
+                                     .nets = 1,
+                                     .along = {10},
+                                     .across = {10}};
     script.create = STATUS_FILE;
     stress_add_row(&subject);
     CHECK(sheet.status == STATUS_FILE);

@@ -41,13 +41,8 @@ static double excess(const double e1[3], const double e2[3])
 
 double spring_force_energy(const struct spring_net *net, const double *x)
 {
-    double energy = 0, e1[3], e2[3];
+    double energy = spring_net_energy(net, x), e1[3], e2[3];
 
-    for (int n = 0; n < net->spring_count; n++) {
-        const struct spring *s = &net->springs[n];
-        double stretch = edge(x, s->a, s->b, e1) - s->length;
-        energy += s->stiffness * stretch * stretch / 2;
-    }
     for (int n = 0; n < net->hinge_count; n++) {
         const struct hinge *h = &net->hinges[n];
         edge(x, h->a, h->b, e1);
@@ -232,7 +227,7 @@ static void add_spring(const struct spring *s, const double *x, double least,
 void spring_force_clamped(const struct spring_net *net, const double *x,
                           const double *hinges, double (*K)[9])
 {
-    const long pairs = net->graph.start[net->nodes];
+    const long pairs = net->graph.start[net->mesh->nodes];
 
     for (long n = 0; n < pairs; n++)
         for (int c = 0; c < 9; c++)
@@ -267,7 +262,7 @@ void spring_force_jacobian(const struct spring_net *net, const double *x, double
 {
     double e1[3], e2[3], sum[3], over[3], A[9], B[9], C[9];
 
-    memset(K, 0, (size_t)net->graph.start[net->nodes] * sizeof *K);
+    memset(K, 0, (size_t)net->graph.start[net->mesh->nodes] * sizeof *K);
     for (int n = 0; n < net->spring_count; n++)
         add_spring(&net->springs[n], x, -INFINITY, K);
     for (int n = 0; n < net->hinge_count; n++) {
@@ -301,10 +296,10 @@ void spring_force_hinges(const struct spring_net *net, double *hinges)
 {
     double e[3];
 
-    memset(hinges, 0, (size_t)net->graph.start[net->nodes] * sizeof *hinges);
+    memset(hinges, 0, (size_t)net->graph.start[net->mesh->nodes] * sizeof *hinges);
     for (int n = 0; n < net->hinge_count; n++) {
         const struct hinge *h = &net->hinges[n];
-        double k = h->strut * inverse(edge(net->rest, h->a, h->b, e)) / 2;
+        double k = h->strut * inverse(edge(net->mesh->rest, h->a, h->b, e)) / 2;
         hinges[h->aa] += k;
         hinges[h->ab] -= 2 * k;
         hinges[h->ac] += k;

@@ -5,7 +5,6 @@
 
 #include "mass_spring/spring_rest.h"
 #include "models/contact/contact_rest.h"
-#include "models/net/net_surface.h"
 
 /* clang-format off */
 static const struct schema_key options[] = {
@@ -72,15 +71,15 @@ out:
 static void probe(const void *state, int n, const double *uvw, double *xyz)
 {
     const struct spring_motion *m = state;
-    const struct net_surface net = {m->net.rows, m->net.points[1], m->x, 3, 1, m->degree};
+    const struct mesh_field field = {m->net.x, 3, 1, m->degree};
 
-    net_surface_points(&net, m->scene, n, uvw, xyz);
+    mesh_sample(&m->net.mesh, m->net.scene, &field, n, uvw, xyz);
 }
 
 static void size(const void *state, struct model_size *size)
 {
     const struct spring_motion *m = state;
-    const struct system none = {.held = &m->newton.supports};
+    const struct system none = {.held = &m->net.supports};
     const struct system *system =
         m->integrator == INTEGRATOR_MOMENTUM ? &m->march.system : &m->newton.system;
     bool implicit =
@@ -94,7 +93,7 @@ static void describe(const void *state, struct message *line)
 {
     const struct spring_motion *m = state;
 
-    spring_law_tell(&m->net.law, m->net.cell, m->scene, line);
+    spring_law_tell(&m->springs.law, m->net.mesh.cell, m->net.scene, line);
     size_t end = strlen(line->text);
     if (m->leapfrog || m->integrator == INTEGRATOR_EXPLICIT)
         snprintf(line->text + end, sizeof line->text - end,

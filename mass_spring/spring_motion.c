@@ -17,21 +17,19 @@ static const double DEFAULT_TOLERANCE = 1e-6;
 
 static enum status allocate(struct spring_motion *m)
 {
-    size_t nodes = (size_t)m->net.nodes;
-    size_t pairs = (size_t)m->net.graph.start[nodes];
+    size_t nodes = (size_t)m->net.mesh.nodes;
+    size_t pairs = (size_t)m->springs.graph.start[nodes];
 
-    return room_cut(&m->room, ROOM(m->weight, nodes), ROOM(m->x, 3 * nodes),
-                    ROOM(m->v, 3 * nodes), ROOM(m->start, 3 * nodes),
+    return room_cut(&m->room, ROOM(m->weight, nodes), ROOM(m->start, 3 * nodes),
                     ROOM(m->target, 3 * nodes), ROOM(m->gain, SPRING_GAINS * 3 * nodes),
-                    ROOM(m->shift, m->newton.supports.held_count),
-                    ROOM(m->V, m->points.beta > 0 ? pairs : 0));
+                    ROOM(m->V, m->net.beta > 0 ? pairs : 0));
 }
 
 /* Finds the largest angular frequency about rest; newton.K is work. */
 static enum status rest_frequency(struct spring_motion *m, double *omega)
 {
-    spring_force_jacobian(&m->net, m->net.rest, m->newton.K);
-    return frequency_largest(&m->net.graph, &m->newton.supports, m->points.mass, NULL,
+    spring_force_jacobian(&m->springs, m->net.mesh.rest, m->newton.K);
+    return frequency_largest(&m->springs.graph, &m->net.supports, m->net.mass, NULL,
                              (const double(*)[9])m->newton.K, omega);
 }
 
@@ -39,13 +37,13 @@ static enum status rest_frequency(struct spring_motion *m, double *omega)
 static void set_step(struct spring_motion *m, double dt)
 {
     m->dt = dt;
-    for (int a = 0; a < m->net.nodes; a++)
-        m->weight[a] = m->points.mass[a] / (dt * dt) + m->points.drag[a] / dt;
-    if (!m->contact)
+    for (int a = 0; a < m->net.mesh.nodes; a++)
+        m->weight[a] = m->net.mass[a] / (dt * dt) + m->net.drag[a] / dt;
+    if (!m->net.contact)
         return;
-    m->contact->steps = (int)lround(m->scene->step / dt), m->contact->dt = dt;
-    for (int a = 0; a < m->net.nodes; a++)
-        m->contact->compliance[a] = 1 / m->weight[a];
+    m->net.contact->steps = (int)lround(m->net.scene->step / dt), m->net.contact->dt = dt;
+    for (int a = 0; a < m->net.mesh.nodes; a++)
+        m->net.contact->compliance[a] = 1 / m->weight[a];
 }
 
 static enum status set_steps(struct spring_motion *m, const struct discretization *d,
@@ -57,13 +55,26 @@ static enum status set_steps(struct spring_motion *m, const struct discretizatio
     m->substeps = d->substeps > 0 ? d->substeps : 1;
     if (m->integrator == INTEGRATOR_EXPLICIT) {
         TRY(rest_frequency(m, &omega));
-        m->limit = frequency_limit(omega, m->points.beta);
-        TRY(frequency_steps(m->scene->step, m->limit, LIMIT_SHARE, d->substeps,
+        m->limit = frequency_limit(omega, m->net.beta);
+        TRY(frequency_steps(m->net.scene->step, m->limit, LIMIT_SHARE, d->substeps,
                             &m->substeps, why));
     }
-    TRY(net_contact_make(m->scene, &m->net, &m->newton.supports, &m->contact));
-    set_step(m, m->scene->step / m->substeps);
+    TRY(net_meet(&m->net));
+    set_step(m, m->net.scene->step / m->substeps);
 out:
+    return st;
+}
+
+/* Makes leapfrog's and momentum's net. */
+static enum status make_stencil(struct spring_motion *m, const struct discretization *d)
+{
+    enum status st;
+    struct spring_forms forms = {0};
+
+    TRY(spring_plate_make(m->net.scene, &m->net.mesh, d->parameters, &forms));
+    TRY(spring_stencil_init(&m->stencil, m->net.scene, &m->net.mesh, &m->springs, &forms));
+out:
+    spring_forms_clear(&forms);
     return st;
 }
 
@@ -71,12 +82,10 @@ static enum status make_leapfrog(struct spring_motion *m, const struct discretiz
                                  struct message *why)
 {
     enum status st;
-    const struct spring_body body = {
-        .load = &m->points, .supports = &m->newton.supports, .stencil = &m->stencil};
+    const struct spring_body body = {.net = &m->net, .stencil = &m->stencil};
 
-    TRY(spring_stencil_init(&m->stencil, m->scene, &m->net));
-    TRY(spring_leapfrog_make(&body, d->precision, d->substeps, m->x, m->v, &m->leapfrog,
-                             why));
+    TRY(make_stencil(m, d));
+    TRY(spring_leapfrog_make(&body, d->precision, d->substeps, &m->leapfrog, why));
     m->limit = spring_leapfrog_limit(m->leapfrog);
 out:
     return st;
@@ -87,19 +96,19 @@ static enum status make_march(struct spring_motion *m, const struct discretizati
 {
     enum status st;
 
-    m->dt = m->scene->step;
-    TRY(spring_stencil_init(&m->stencil, m->scene, &m->net));
+    m->dt = m->net.scene->step;
+    TRY(make_stencil(m, d));
     TRY(spring_strips_init(&m->strips, &m->stencil));
     m->march = (struct march){
         .body = m->strips.body,
-        .scene = m->scene,
-        .graph = &m->net.graph,
-        .mass = m->points.mass,
-        .rest = m->net.rest,
-        .x = m->x,
-        .load = m->points.load,
-        .net = {m->net.points[0], m->net.points[1], 1},
-        .supports = &m->newton.supports,
+        .scene = m->net.scene,
+        .graph = &m->springs.graph,
+        .mass = m->net.mass,
+        .rest = m->net.mesh.rest,
+        .x = m->net.x,
+        .load = m->net.load,
+        .net = {m->net.mesh.points[0], m->net.mesh.points[1], 1},
+        .supports = &m->net.supports,
         .unknowns = "mid-surface points",
     };
     TRY(march_init_net(&m->march, d, why));
@@ -115,10 +124,9 @@ void spring_motion_clear(void *motion)
     spring_strips_clear(&m->strips);
     spring_stencil_clear(&m->stencil);
     spring_leapfrog_free(m->leapfrog);
-    net_contact_free(m->contact);
     spring_newton_clear(&m->newton);
-    spring_net_clear(&m->net);
-    spring_load_clear(&m->points);
+    spring_net_clear(&m->springs);
+    net_clear(&m->net);
     free(m->room);
     memset(m, 0, sizeof *m);
 }
@@ -130,21 +138,18 @@ enum status spring_motion_init(struct spring_motion *m, const struct scene *scen
     bool squares =
         d->integrator == INTEGRATOR_LEAPFROG || d->integrator == INTEGRATOR_MOMENTUM;
 
-    *m = (struct spring_motion){.scene = scene,
-                                .integrator = d->integrator,
+    *m = (struct spring_motion){.integrator = d->integrator,
                                 .degree = (int[]){0, 2, 3}[OWN(spring_own, d)->surface],
                                 .strain_limit = OWN(spring_own, d)->strain_limit};
-    TRY(spring_net_init(&m->net, scene, d->points, d->parameters, squares));
-    TRY(spring_load_init(&m->points, scene, &m->net, d->parameters));
-    TRY(spring_newton_init(&m->newton, scene, &m->net, d, why));
+    TRY(net_init(&m->net, scene, d, why));
+    TRY(spring_net_init(&m->springs, scene, &m->net.mesh, d->parameters, squares));
+    TRY(spring_newton_init(&m->newton, &m->springs, &m->net.supports, d));
     if (!squares)
         TRY(spring_newton_system(&m->newton));
     TRY(allocate(m));
-    memcpy(m->x, m->net.rest, 3 * (size_t)m->net.nodes * sizeof *m->x);
-    supports_initial_velocity(&m->newton.supports, scene, m->net.rest, NULL, m->v);
     m->limits.iterations = d->iterations;
     m->limits.tolerance = (d->tolerance > 0 ? d->tolerance : DEFAULT_TOLERANCE) *
-                          fmin(m->net.cell[0], m->net.cell[1]);
+                          fmin(m->net.mesh.cell[0], m->net.mesh.cell[1]);
     if (m->integrator == INTEGRATOR_LEAPFROG)
         TRY(make_leapfrog(m, d, why));
     else if (m->integrator == INTEGRATOR_MOMENTUM)
@@ -158,37 +163,28 @@ out:
     return st;
 }
 
-void spring_motion_hold(struct spring_motion *m, double t)
-{
-    const struct supports *s = &m->newton.supports;
-
-    supports_shift(s, m->scene, t, m->shift);
-    for (int h = 0; h < s->held_count; h++)
-        m->x[s->held[h]] = m->net.rest[s->held[h]] + m->shift[h];
-}
-
 /* Takes it where a step begins: what the step solves for is then the minimum of a
  * potential, and of first order all the same, as Euler's methods are
  * (tests/physics/time_order.c). */
 static void damping_matrix(struct spring_motion *m)
 {
-    if (m->points.beta > 0)
-        spring_force_clamped(&m->net, m->x, m->newton.hinges, m->V);
+    if (m->net.beta > 0)
+        spring_force_clamped(&m->springs, m->net.x, m->newton.hinges, m->V);
 }
 
 /* Guesses the end of an implicit step: its velocity by extrapolating the last ones' gains,
  * by a polynomial. Not where a step is linearised once, at its start. */
 static void guess(struct spring_motion *m)
 {
-    size_t count = 3 * (size_t)m->net.nodes;
+    size_t count = 3 * (size_t)m->net.mesh.nodes;
 
     if (m->limits.iterations == 1)
         return;
     for (size_t n = 0; n < count; n++) {
-        double v = m->v[n];
+        double v = m->net.v[n];
         for (int k = 0; k < m->gains; k++)
             v += m->gain[k * count + n];
-        m->x[n] += m->dt * v;
+        m->net.x[n] += m->dt * v;
     }
 }
 
@@ -197,7 +193,7 @@ static void guess(struct spring_motion *m)
  * after a start, with zeros for what is not known, is one; none under contact. */
 static void learn(struct spring_motion *m, double *change)
 {
-    size_t count = 3 * (size_t)m->net.nodes;
+    size_t count = 3 * (size_t)m->net.mesh.nodes;
     double least = INFINITY;
 
     for (int k = 0; k <= SPRING_GAINS; k++) {
@@ -212,21 +208,21 @@ static void learn(struct spring_motion *m, double *change)
             change[n] -= was;
         }
     }
-    if (m->contact && m->contact->law.count)
+    if (m->net.contact && m->net.contact->law.count)
         m->gains = 0;
 }
 
 /* Computes v. */
 static enum status end_step(struct spring_motion *m)
 {
-    size_t count = 3 * (size_t)m->net.nodes;
+    size_t count = 3 * (size_t)m->net.mesh.nodes;
     double *change = m->start;
     enum status st = STATUS_OK;
 
     for (size_t n = 0; n < count; n++) {
-        double v = (m->x[n] - m->start[n]) / m->dt;
-        change[n] = v - m->v[n];
-        m->v[n] = v;
+        double v = (m->net.x[n] - m->start[n]) / m->dt;
+        change[n] = v - m->net.v[n];
+        m->net.v[n] = v;
         if (!isfinite(v))
             st = STATUS_NAN;
     }
@@ -238,45 +234,45 @@ static enum status end_step(struct spring_motion *m)
 static enum status step_implicit(struct spring_motion *m, double t,
                                  struct counters *counters)
 {
-    size_t count = 3 * (size_t)m->net.nodes;
+    size_t count = 3 * (size_t)m->net.mesh.nodes;
     double dt = m->dt;
     struct spring_problem p = {.weight = m->weight,
                                .target = m->target,
-                               .load = m->points.load,
-                               .viscosity = m->points.beta / dt,
+                               .load = m->net.load,
+                               .viscosity = m->net.beta / dt,
                                .V = (const double(*)[9])m->V,
                                .start = m->start,
-                               .contact = m->contact ? &m->contact->law : NULL};
+                               .contact = m->net.contact ? &m->net.contact->law : NULL};
 
     damping_matrix(m);
     for (size_t n = 0; n < count; n++)
         m->target[n] =
-            m->x[n] + m->v[n] * (m->points.mass[n / 3] / (dt * m->weight[n / 3]));
+            m->net.x[n] + m->net.v[n] * (m->net.mass[n / 3] / (dt * m->weight[n / 3]));
     guess(m);
-    net_contact_begin(m->contact, t, m->start);
-    if (m->contact && m->limits.iterations != 1)
-        contact_lead(&m->contact->law, m->x);
-    spring_motion_hold(m, t);
-    return spring_newton_solve(&m->newton, &p, &m->limits, m->x, counters);
+    net_contact_begin(m->net.contact, t, m->start);
+    if (m->net.contact && m->limits.iterations != 1)
+        contact_lead(&m->net.contact->law, m->net.x);
+    net_hold(&m->net, t);
+    return spring_newton_solve(&m->newton, &p, &m->limits, m->net.x, counters);
 }
 
 static enum status step_explicit(struct spring_motion *m, double t,
                                  struct counters *counters)
 {
-    size_t count = 3 * (size_t)m->net.nodes;
+    size_t count = 3 * (size_t)m->net.mesh.nodes;
     double *f = m->target, dt = m->dt;
 
     damping_matrix(m);
-    if (m->points.beta > 0)
-        blocks_multiply(&m->net.graph, (const double(*)[9])m->V, m->v, f);
+    if (m->net.beta > 0)
+        blocks_multiply(&m->springs.graph, (const double(*)[9])m->V, m->net.v, f);
     for (size_t n = 0; n < count; n++)
-        f[n] = m->points.load[n] - (m->points.beta > 0 ? m->points.beta * f[n] : 0);
-    spring_force_add(&m->net, m->x, f);
+        f[n] = m->net.load[n] - (m->net.beta > 0 ? m->net.beta * f[n] : 0);
+    spring_force_add(&m->springs, m->net.x, f);
     for (size_t n = 0; n < count; n++) {
-        double mass = m->points.mass[n / 3], drag = m->points.drag[n / 3];
-        m->x[n] += dt * (mass * m->v[n] + dt * f[n]) / (mass + dt * drag);
+        double mass = m->net.mass[n / 3], drag = m->net.drag[n / 3];
+        m->net.x[n] += dt * (mass * m->net.v[n] + dt * f[n]) / (mass + dt * drag);
     }
-    spring_motion_hold(m, t);
+    net_hold(&m->net, t);
     counters->assemblies++;
     counters->solves++;
     return STATUS_OK;
@@ -349,27 +345,27 @@ static enum status substep(struct spring_motion *m, double t, int halvings,
                            struct counters *counters)
 {
     enum status st;
-    const size_t count = 3 * (size_t)m->net.nodes;
+    const size_t count = 3 * (size_t)m->net.mesh.nodes;
     const double dt = m->dt;
 
-    memcpy(m->start, m->x, count * sizeof *m->x);
+    memcpy(m->start, m->net.x, count * sizeof *m->net.x);
     if (m->integrator == INTEGRATOR_EXPLICIT)
         TRY(step_explicit(m, t, counters));
     else
         TRY(step_implicit(m, t, counters));
     if (m->strain_limit > 0)
-        spring_motion_limit(&m->net, &m->newton.supports, m->strain_limit, m->x);
+        spring_motion_limit(&m->springs, &m->net.supports, m->strain_limit, m->net.x);
     if (m->integrator == INTEGRATOR_EXPLICIT)
-        TRY(net_contact_project(m->contact, t, m->start, m->x));
+        TRY(net_contact_project(m->net.contact, t, m->start, m->net.x));
     else
-        net_contact_end(m->contact);
+        net_contact_end(m->net.contact);
     counters->substeps++;
     return end_step(m);
 out:
     if (m->integrator == INTEGRATOR_EXPLICIT || !status_is_death(st) ||
         halvings == HALVINGS)
         return st;
-    memcpy(m->x, m->start, count * sizeof *m->x);
+    memcpy(m->net.x, m->start, count * sizeof *m->net.x);
     m->gains = 0; /* of steps as long */
     set_step(m, dt / 2);
     st = substep(m, t - dt / 2, halvings + 1, counters);
@@ -384,19 +380,19 @@ out:
  * frames would take energy from the scaling. */
 static void scale_velocity(struct spring_motion *m, double factor)
 {
-    size_t count = 3 * (size_t)m->net.nodes;
+    size_t count = 3 * (size_t)m->net.mesh.nodes;
     bool behind = m->integrator == INTEGRATOR_EXPLICIT;
     double *f = m->target;
 
     if (factor == 1)
         return;
-    memcpy(f, m->points.load, count * sizeof *f);
+    memcpy(f, m->net.load, count * sizeof *f);
     if (behind)
-        spring_force_add(&m->net, m->x, f);
+        spring_force_add(&m->springs, m->net.x, f);
     for (size_t n = 0; n < count; n++) {
-        double lag = behind ? m->dt / 2 * f[n] / m->points.mass[n / 3] : 0;
-        if (m->newton.supports.free_index[n] >= 0)
-            m->v[n] = factor * (m->v[n] + lag) - lag;
+        double lag = behind ? m->dt / 2 * f[n] / m->net.mass[n / 3] : 0;
+        if (m->net.supports.free_index[n] >= 0)
+            m->net.v[n] = factor * (m->net.v[n] + lag) - lag;
     }
 }
 
@@ -407,15 +403,15 @@ enum status spring_motion_step(void *motion, struct counters *counters)
 
     if (m->leapfrog) {
         counters->steps++;
-        return spring_leapfrog_frame(m->leapfrog, m->x, counters);
+        return spring_leapfrog_frame(m->leapfrog, counters);
     }
     if (m->integrator == INTEGRATOR_MOMENTUM)
         return march_step(motion, counters);
-    net_contact_frame(m->contact);
+    net_contact_frame(m->net.contact);
     for (int n = 0; n < m->substeps; n++, m->substep++)
-        TRY(substep(m, (double)(m->substep + 1) / m->substeps * m->scene->step, 0,
+        TRY(substep(m, (double)(m->substep + 1) / m->substeps * m->net.scene->step, 0,
                     counters));
-    scale_velocity(m, m->points.keep);
+    scale_velocity(m, m->net.keep);
     counters->steps++;
 out:
     return st;
@@ -428,29 +424,28 @@ void spring_motion_contact(const void *motion, struct model_contact *contact)
     if (m->integrator == INTEGRATOR_MOMENTUM)
         march_contact(motion, contact);
     else
-        *contact = m->leapfrog ? spring_leapfrog_contact(m->leapfrog)
-                               : net_contact_report(m->contact);
+        net_touches(&m->net, contact);
 }
 
 const struct spring_stencil *spring_motion_stencil(const struct spring_motion *m)
 {
-    return m->stencil.net ? &m->stencil : NULL;
+    return m->stencil.mesh ? &m->stencil : NULL;
 }
 
 double spring_motion_elastic(const struct spring_motion *m)
 {
     const struct spring_stencil *stencil = spring_motion_stencil(m);
 
-    return stencil ? spring_stencil_energy(stencil, m->x)
-                   : spring_force_energy(&m->net, m->x);
+    return stencil ? spring_stencil_energy(stencil, m->net.x)
+                   : spring_force_energy(&m->springs, m->net.x);
 }
 
 void spring_motion_place(struct spring_motion *m, double t)
 {
-    memset(m->v, 0, 3 * (size_t)m->net.nodes * sizeof *m->v);
+    memset(m->net.v, 0, 3 * (size_t)m->net.mesh.nodes * sizeof *m->net.v);
     m->substep = lround(t / m->dt);
     if (m->leapfrog)
-        spring_leapfrog_place(m->leapfrog, t, m->x);
+        spring_leapfrog_place(m->leapfrog, t);
     if (m->integrator == INTEGRATOR_MOMENTUM)
         march_still(&m->march, t);
 }
@@ -458,10 +453,10 @@ void spring_motion_place(struct spring_motion *m, double t)
 void spring_motion_energy(const void *motion, struct energy *energy)
 {
     const struct spring_motion *m = motion;
-    const double *v = m->integrator == INTEGRATOR_MOMENTUM ? m->march.v : m->v;
+    const double *v = m->integrator == INTEGRATOR_MOMENTUM ? m->march.v : m->net.v;
 
     if (m->leapfrog)
-        spring_leapfrog_velocity(m->leapfrog, m->v);
-    spring_load_energy(&m->points, m->x, v, energy);
+        spring_leapfrog_velocity(m->leapfrog, m->net.v);
+    net_energy(&m->net, v, energy);
     energy->elastic = spring_motion_elastic(m) - m->rest_energy;
 }

@@ -42,28 +42,24 @@ struct spring_own {      /* choices of its own (models/option.h) */
 enum { SPRING_GAINS = 5 };
 
 struct spring_motion {
-    struct march march;        /* first: march.h; momentum only                        */
-    const struct scene *scene; /* borrowed                                             */
-    struct spring_net net;
+    struct march march; /* first: march.h; momentum only                        */
+    struct net net;
+    struct spring_net springs;
     struct spring_newton newton;
-    struct net_contact *contact; /* of Euler's steps, else NULL                owned   */
     enum integrator integrator;
     int degree; /* of the surface; 0: bilinear                                         */
     struct spring_limits limits;
     int substeps;
-    double dt;           /* length of a substep                                 [s]   */
-    double strain_limit; /* 0: none                                                   */
-    double limit;        /* greatest stable step of explicit methods about rest [s]   */
-    double rest_energy;  /* round-off of the energy at rest                     [J]   */
-    struct spring_load points; /* their masses, drag, loads and damping               */
-    void *room;                /* memory of the arrays                         owned   */
-    double *weight;            /* [nodes] m / dt^2 + c / dt                     [N/m]     */
-    double *x, *v;             /* [nodes][3]                                              */
-    double *start, *target;    /* [nodes][3] work                                         */
+    double dt;              /* length of a substep                                 [s]   */
+    double strain_limit;    /* 0: none                                                   */
+    double limit;           /* greatest stable step of explicit methods about rest [s]   */
+    double rest_energy;     /* round-off of the energy at rest                     [J]   */
+    void *room;             /* memory of the arrays                         owned   */
+    double *weight;         /* [nodes] m / dt^2 + c / dt                     [N/m]     */
+    double *start, *target; /* [nodes][3] work                                         */
     double *gain;   /* [SPRING_GAINS][nodes][3] of velocity in the last step, and its
                        backward differences of orders 1, 2, ...                   [m/s] */
     int gains;      /* those that would have foretold the last gain best, in their sum  */
-    double *shift;  /* [held_count] work                                       */
     double (*V)[9]; /* [pairs] with beta, else NULL                            */
     struct spring_stencil stencil;    /* leapfrog and momentum                         */
     struct spring_leapfrog *leapfrog; /* steps of that integrator, else NULL   owned   */
@@ -90,9 +86,6 @@ double spring_motion_elastic(const struct spring_motion *m);
 
 /* Notes that the net stands still at x at time t [s]. */
 void spring_motion_place(struct spring_motion *m, double t);
-
-/* Moves held points to where they are at time t. */
-void spring_motion_hold(struct spring_motion *m, double t);
 
 /* Moves free points of x[nodes][3] until no spring is longer than (1 + limit) times its
  * rest length; limit > 0. */

@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "models/linalg/order.h"
 #include "models/mechanics/contact_share.h"
 #include "models/mechanics/frames.h"
 #include "models/room.h"
@@ -29,10 +28,10 @@ static const double STILL = 1e-4;
 static void frames(const void *body, double (*Q)[9])
 {
     const struct spring_newton *s = body;
-    const int points[3] = {s->net->rows, s->net->points[1], 1};
+    const int points[3] = {s->net->mesh->rows, s->net->mesh->points[1], 1};
     const int nodes = points[0] * points[1];
 
-    for (int first = 0; first < s->net->nodes; first += nodes)
+    for (int first = 0; first < s->net->mesh->nodes; first += nodes)
         frames_of_net(points, false, s->at + 3 * first, Q + first);
 }
 
@@ -40,7 +39,8 @@ static enum status make_hinges(struct spring_newton *s)
 {
     if (s->hinges)
         return STATUS_OK;
-    s->hinges = malloc((size_t)s->net->graph.start[s->net->nodes] * sizeof *s->hinges);
+    s->hinges =
+        malloc((size_t)s->net->graph.start[s->net->mesh->nodes] * sizeof *s->hinges);
     if (!s->hinges)
         return STATUS_MEMORY;
     spring_force_hinges(s->net, s->hinges);
@@ -50,14 +50,13 @@ static enum status make_hinges(struct spring_newton *s)
 enum status spring_newton_system(struct spring_newton *s)
 {
     enum status st = make_hinges(s);
-    const int *points = s->net->points;
 
     if (st != STATUS_OK || s->system.factor || s->system.iterative ||
-        !s->supports.free_count)
+        !s->supports->free_count)
         return st;
     int *order = NULL;
-    TRY(order_wide(points[0], points[1], 1, &order));
-    TRY(system_init(&s->system, &s->net->graph, &s->supports, NULL, order, &s->linear));
+    TRY(mesh_order(s->net->mesh, &order));
+    TRY(system_init(&s->system, &s->net->graph, s->supports, NULL, order, &s->linear));
     system_single(&s->system);
     st = iterative_follow(s->system.iterative, frames, s, false);
 out:
@@ -69,29 +68,25 @@ void spring_newton_clear(struct spring_newton *s)
 {
     system_clear(&s->system);
     contact_coupled_clear(&s->coupled);
-    supports_clear(&s->supports);
     free(s->hinges);
     free(s->room);
     memset(s, 0, sizeof *s);
 }
 
-enum status spring_newton_init(struct spring_newton *s, const struct scene *scene,
-                               const struct spring_net *net, const struct discretization *d,
-                               struct message *why)
+enum status spring_newton_init(struct spring_newton *s, const struct spring_net *net,
+                               const struct supports *supports,
+                               const struct discretization *d)
 {
-    enum status st;
-    size_t pairs = (size_t)net->graph.start[net->nodes];
+    size_t pairs = (size_t)net->graph.start[net->graph.nodes];
 
     *s = (struct spring_newton){
-        .net = net, .linear = {.solver = d->solver, .preconditioner = d->preconditioner}};
+        .net = net,
+        .supports = supports,
+        .linear = {.solver = d->solver, .preconditioner = d->preconditioner}};
     if (d->solver == SOLVER_AUTO)
         s->linear.solver = SOLVER_CG; /* on an earlier factor */
-    TRY(supports_init(&s->supports, scene, net->nodes, net->uvw, net->rest, why));
-    TRY(room_cut(&s->room, ROOM(s->K, pairs), ROOM(s->work, 9 * (size_t)net->nodes)));
-out:
-    if (st != STATUS_OK)
-        spring_newton_clear(s);
-    return st;
+    return room_cut(&s->room, ROOM(s->K, pairs),
+                    ROOM(s->work, 9 * (size_t)net->graph.nodes));
 }
 
 /* Computes minus the gradient at x, zero at held unknowns; `work`: for the viscous part. */
@@ -99,8 +94,8 @@ static enum status residual(const struct spring_newton *s, const struct spring_p
                             const double *x, double *work, double *r)
 {
     enum status st = STATUS_OK;
-    size_t count = 3 * (size_t)s->net->nodes;
-    const int *place = s->supports.free_index;
+    size_t count = 3 * (size_t)s->net->mesh->nodes;
+    const int *place = s->supports->free_index;
 
     if (p->viscosity) {
         for (size_t t = 0; t < count; t++)
@@ -157,7 +152,7 @@ static enum status solve(struct spring_newton *s, double tolerance, double near,
                          struct counters *counters)
 {
     enum status st;
-    size_t count = 3 * (size_t)s->net->nodes;
+    size_t count = 3 * (size_t)s->net->mesh->nodes;
 
     s->at = x;
     iterative_tolerate(s->system.iterative, tolerance, near);
@@ -192,7 +187,7 @@ static enum status look(void *self, const struct contact_change *c, double *rise
 static enum status search(struct spring_newton *s, const struct spring_problem *p,
                           const double *d, double *x, double *r, double *part)
 {
-    const size_t count = 3 * (size_t)s->net->nodes;
+    const size_t count = 3 * (size_t)s->net->mesh->nodes;
     struct stride stride = {s, p, r, s->work + 2 * count};
 
     return contact_change_take(&(struct contact_change){.count = count,
@@ -219,14 +214,14 @@ enum status spring_newton_solve(struct spring_newton *s, const struct spring_pro
                                 struct counters *counters)
 {
     enum status st = STATUS_OK;
-    size_t count = 3 * (size_t)s->net->nodes;
+    size_t count = 3 * (size_t)s->net->mesh->nodes;
     double *r = s->work, *d = s->work + count;
     const bool once = limits->iterations == 1;
     const int most = once || !limits->iterations ? MOST_ITERATIONS : limits->iterations;
     double before = 0, moved = INFINITY; /* since K was made */
-    const double still = STILL * fmin(s->net->cell[0], s->net->cell[1]);
+    const double still = STILL * fmin(s->net->mesh->cell[0], s->net->mesh->cell[1]);
 
-    if (!s->supports.free_count)
+    if (!s->supports->free_count)
         return STATUS_OK;
     TRY(residual(s, p, x, d, r));
     for (int n = 0; n < most; n++) {
@@ -240,14 +235,14 @@ enum status spring_newton_solve(struct spring_newton *s, const struct spring_pro
         TRY(solve(s, once ? LAST_TOLERANCE : LINEAR_TOLERANCE,
                   n ? NEAR * limits->tolerance : 0, make, x, r, d, counters));
         counters->iterations++;
-        double size = blocks_longest(s->net->nodes, d), part;
+        double size = blocks_longest(s->net->mesh->nodes, d), part;
         if (!isfinite(size))
             TRY(STATUS_NAN);
         if (p->contact)
             contact_hold(p->contact, x, size);
         const bool cut = p->contact && contact_limit(p->contact, x, d) < 1;
         if (cut)
-            size = blocks_longest(s->net->nodes, d);
+            size = blocks_longest(s->net->mesh->nodes, d);
         if (once ? !(p->contact && (touches || cut))
                  : !p->contact && size <= limits->tolerance) { /* whole, unsearched */
             for (size_t t = 0; t < count; t++)

@@ -27,9 +27,9 @@
 #include "models/model.h"
 
 struct spring_newton {
-    const struct spring_net *net; /* borrowed                                          */
-    struct supports supports;
-    struct discretization linear; /* its solver and preconditioner */
+    const struct spring_net *net;    /* borrowed                                       */
+    const struct supports *supports; /* borrowed                                       */
+    struct discretization linear;    /* its solver and preconditioner */
     struct system system; /* empty before spring_newton_system                         */
     struct contact_coupled coupled; /* in its place where the sheet touches itself     */
     void *room;       /* memory of the arrays                               owned   */
@@ -53,12 +53,12 @@ struct spring_limits {
     double tolerance; /* converged when no coordinate moves farther             [m]    */
 };
 
-/* Initialises, after spring_net_init; `net` and *s must stay where they are. d: solver. */
-enum status spring_newton_init(struct spring_newton *s, const struct scene *scene,
-                               const struct spring_net *net, const struct discretization *d,
-                               struct message *why);
+/* Initialises; all but d, which tells the solver, must stay where it is. */
+enum status spring_newton_init(struct spring_newton *s, const struct spring_net *net,
+                               const struct supports *supports,
+                               const struct discretization *d);
 
-/* Makes the system and hinges, once, to solve with: leapfrog only needs the supports. */
+/* Makes the system and hinges, once, to solve with. */
 enum status spring_newton_system(struct spring_newton *s);
 
 void spring_newton_clear(struct spring_newton *s);

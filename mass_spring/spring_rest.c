@@ -33,8 +33,8 @@ static double total_energy(const struct spring_motion *m)
 {
     double energy = spring_motion_elastic(m);
 
-    for (size_t n = 0; n < 3 * (size_t)m->net.nodes; n++)
-        energy -= m->points.load[n] * (m->x[n] - m->net.rest[n]);
+    for (size_t n = 0; n < 3 * (size_t)m->net.mesh.nodes; n++)
+        energy -= m->net.load[n] * (m->net.x[n] - m->net.mesh.rest[n]);
     return energy;
 }
 
@@ -42,15 +42,15 @@ static double total_energy(const struct spring_motion *m)
 static double residual(const struct search *s)
 {
     const struct spring_motion *m = s->m;
-    const int *place = m->newton.supports.free_index;
-    size_t count = 3 * (size_t)m->net.nodes;
+    const int *place = m->net.supports.free_index;
+    size_t count = 3 * (size_t)m->net.mesh.nodes;
     double most = 0;
 
-    memcpy(s->r, m->points.load, count * sizeof *s->r);
+    memcpy(s->r, m->net.load, count * sizeof *s->r);
     if (spring_motion_stencil(m))
-        spring_stencil_force_add(spring_motion_stencil(m), m->x, s->r);
+        spring_stencil_force_add(spring_motion_stencil(m), m->net.x, s->r);
     else
-        spring_force_add(&m->net, m->x, s->r);
+        spring_force_add(&m->springs, m->net.x, s->r);
     for (size_t n = 0; n < count; n++) {
         if (place[n] < 0)
             s->r[n] = 0;
@@ -65,12 +65,12 @@ static void allowed_forces(const struct spring_motion *m, double *wanted, double
 {
     double load = 0, position = 0, stiffness = 0;
 
-    for (size_t n = 0; n < 3 * (size_t)m->net.nodes; n++) {
-        load = fmax(load, fabs(m->points.load[n]));
-        position = fmax(position, fabs(m->net.rest[n]));
+    for (size_t n = 0; n < 3 * (size_t)m->net.mesh.nodes; n++) {
+        load = fmax(load, fabs(m->net.load[n]));
+        position = fmax(position, fabs(m->net.mesh.rest[n]));
     }
-    for (int n = 0; n < m->net.spring_count; n++)
-        stiffness = fmax(stiffness, m->net.springs[n].stiffness);
+    for (int n = 0; n < m->springs.spring_count; n++)
+        stiffness = fmax(stiffness, m->springs.springs[n].stiffness);
     *wanted = FORCE_TOLERANCE * load;
     *rounding = 8 * DBL_EPSILON * stiffness * position;
 }
@@ -78,19 +78,20 @@ static void allowed_forces(const struct spring_motion *m, double *wanted, double
 static enum status factor(const struct search *s, bool clamped)
 {
     struct spring_newton *newton = &s->m->newton;
-    const struct spring_net *net = &s->m->net;
+    const struct spring_net *net = &s->m->springs;
     const struct blocks *g = &net->graph;
 
     if (spring_motion_stencil(s->m))
-        spring_stencil_jacobian(spring_motion_stencil(s->m), s->m->x, clamped, newton->K);
+        spring_stencil_jacobian(spring_motion_stencil(s->m), s->m->net.x, clamped,
+                                newton->K);
     else if (clamped)
-        spring_force_clamped(net, s->m->x, newton->hinges, newton->K);
+        spring_force_clamped(net, s->m->net.x, newton->hinges, newton->K);
     else
-        spring_force_jacobian(net, s->m->x, newton->K);
+        spring_force_jacobian(net, s->m->net.x, newton->K);
     for (int a = 0; a < g->nodes; a++)
         for (int i = 0; i < 3; i++)
-            newton->K[g->start[a]][4 * i] += s->m->points.mass[a] / (s->step * s->step);
-    newton->at = s->m->x;
+            newton->K[g->start[a]][4 * i] += s->m->net.mass[a] / (s->step * s->step);
+    newton->at = s->m->net.x;
     return system_factor(&newton->system, 1, (const double(*)[9])newton->K, 0, NULL);
 }
 
@@ -100,7 +101,7 @@ static enum status solve(const struct search *s, bool clamped, struct counters *
     enum status st = factor(s, clamped);
 
     counters->factorisations++;
-    memcpy(s->d, s->r, 3 * (size_t)s->m->net.nodes * sizeof *s->d);
+    memcpy(s->d, s->r, 3 * (size_t)s->m->net.mesh.nodes * sizeof *s->d);
     if (st == STATUS_OK) {
         counters->solves++;
         st = system_solve(&s->m->newton.system, s->d);
@@ -120,7 +121,7 @@ static enum status advance(struct search *s, struct counters *counters)
 {
     enum status st;
     struct spring_motion *m = s->m;
-    size_t count = 3 * (size_t)m->net.nodes;
+    size_t count = 3 * (size_t)m->net.mesh.nodes;
 
     counters->assemblies++, counters->iterations++;
     st = solve(s, false, counters);
@@ -135,8 +136,8 @@ static enum status advance(struct search *s, struct counters *counters)
         return st;
     double scale = fabs(s->energy) + 1e-300, move = 0;
     for (size_t n = 0; n < count; n++) {
-        scale += fabs(m->points.load[n] * (m->x[n] - m->net.rest[n]));
-        m->x[n] += s->d[n];
+        scale += fabs(m->net.load[n] * (m->net.x[n] - m->net.mesh.rest[n]));
+        m->net.x[n] += s->d[n];
         move = fmax(move, fabs(s->d[n]));
     }
     const double energy = total_energy(m);
@@ -145,11 +146,11 @@ static enum status advance(struct search *s, struct counters *counters)
         s->energy = energy;
         s->move = s->step >= LONG_STEP ? move : INFINITY;
         s->step = fmin(GROWTH * s->step, 1e12);
-        memcpy(s->from, m->x, count * sizeof *m->x);
+        memcpy(s->from, m->net.x, count * sizeof *m->net.x);
     } else {
         s->step *= CUT;
         s->move = INFINITY;
-        memcpy(m->x, s->from, count * sizeof *m->x);
+        memcpy(m->net.x, s->from, count * sizeof *m->net.x);
     }
     return STATUS_OK;
 }
@@ -159,11 +160,11 @@ static enum status search(struct search *s, struct counters *counters, struct me
     enum status st = STATUS_OK;
     struct spring_motion *m = s->m;
     double wanted, rounding, force = residual(s);
-    double still = MOVE_TOLERANCE * m->scene->length;
+    double still = MOVE_TOLERANCE * m->net.scene->length;
 
-    memcpy(s->from, m->x, 3 * (size_t)m->net.nodes * sizeof *m->x);
+    memcpy(s->from, m->net.x, 3 * (size_t)m->net.mesh.nodes * sizeof *m->net.x);
     s->energy = total_energy(m);
-    s->step = m->scene->step;
+    s->step = m->net.scene->step;
     s->move = INFINITY;
     allowed_forces(m, &wanted, &rounding);
     s->slack = rounding * still;
@@ -188,19 +189,19 @@ enum status spring_rest_equilibrium(void *motion, struct counters *counters,
 {
     enum status st = STATUS_OK;
     struct spring_motion *m = motion;
-    size_t count = 3 * (size_t)m->net.nodes;
-    double end = supports_rest_time(&m->newton.supports, m->scene);
+    size_t count = 3 * (size_t)m->net.mesh.nodes;
+    double end = supports_rest_time(&m->net.supports, m->net.scene);
     struct search s = {.m = m};
 
-    TRY(supports_allow_rest(&m->newton.supports, m->scene, false, why));
+    TRY(supports_allow_rest(&m->net.supports, m->net.scene, false, why));
     TRY(spring_newton_system(&m->newton));
     s.r = m->start, s.d = m->target;
     s.from = malloc(count * sizeof *s.from);
     if (!s.from)
         return STATUS_MEMORY;
-    for (int n = m->newton.supports.moving ? 0 : PATH; n <= PATH; n++) {
-        spring_motion_hold(m, end * n / PATH);
-        if (m->newton.supports.free_count)
+    for (int n = m->net.supports.moving ? 0 : PATH; n <= PATH; n++) {
+        net_hold(&m->net, end * n / PATH);
+        if (m->net.supports.free_count)
             TRY(search(&s, counters, why));
     }
     spring_motion_place(m, end);

@@ -14,7 +14,7 @@ static const int AHEAD[SPRING_STRIPS_AHEAD] = {4, 5, 6, 7, 10, 11};
 
 static int row_length(const struct spring_strips *s)
 {
-    return s->stencil->net->points[1];
+    return s->stencil->mesh->points[1];
 }
 
 /* Returns a thread's room: [2 rows][3] of points, the same of the geometry, strains. */
@@ -50,7 +50,7 @@ static double edge(const double *x, int first, int a, int b, double e[3])
 /* Returns the other end of the k-th spring ahead of a, -1: there is none. */
 static int spring_end(const struct spring_stencil *t, int a, int k)
 {
-    return t->spring[a][AHEAD[k]] > 0 ? spring_stencil_node(t->net, a, AHEAD[k]) : -1;
+    return t->spring[a][AHEAD[k]] > 0 ? spring_stencil_node(t->mesh, a, AHEAD[k]) : -1;
 }
 
 /* Returns k / r^2. */
@@ -65,11 +65,11 @@ static void bending_at(const struct spring_stencil *t, int a, const double *x, d
 
     f[0] = f[1] = f[2] = 0;
     for (int n = 0; n < SPRING_STENCIL_ALL; n++) {
-        int b = spring_stencil_node(t->net, a, n);
+        int b = spring_stencil_node(t->mesh, a, n);
         if (b < 0)
             continue;
         edge(x, 0, a, b, now);
-        edge(t->net->rest, 0, a, b, rest);
+        edge(t->mesh->rest, 0, a, b, rest);
         for (int c = 0; c < 3; c++)
             f[c] -= t->bend[a][n] * (now[c] - rest[c]);
     }
@@ -81,7 +81,7 @@ static double *strain_of(const void *self, int thread, int row, const double *x,
     const double *change = foresight ? foresight->change : NULL;
     const struct spring_strips *s = self;
     const struct spring_stencil *t = s->stencil;
-    int m = row_length(s), rows = t->net->points[0] - row, first = row * m;
+    int m = row_length(s), rows = t->mesh->points[0] - row, first = row * m;
     const struct spring_forms *soft = &t->soft.forms;
     double *strain = strains_of(s, thread), e[3];
 
@@ -109,7 +109,7 @@ static void set_geometry(const void *self, int thread, int row, const double *x_
     const struct spring_strips *s = self;
     const double *now = room_of(s, thread);
     double *x = geometry_of(s, thread);
-    int m = row_length(s), rows = s->stencil->net->points[0] - row;
+    int m = row_length(s), rows = s->stencil->mesh->points[0] - row;
     int count = 3 * m * (rows < ROWS ? rows : ROWS);
 
     for (int n = 0; n < count; n++)
@@ -149,8 +149,8 @@ static void add_force(const void *self, int thread, int row, double *force)
 static void add_block(const struct spring_strips *s, int a, int n, double all, double along,
                       const double e[3], double (*K)[9])
 {
-    const struct blocks *graph = &s->stencil->net->graph;
-    int b = spring_stencil_node(s->stencil->net, a, AHEAD[n]);
+    const struct blocks *graph = &s->stencil->springs->graph;
+    int b = spring_stencil_node(s->stencil->mesh, a, AHEAD[n]);
     double *aa = K[graph->start[a]], *bb = K[graph->start[b]];
     double *ab = s->pair[a][n] < 0 ? NULL : K[s->pair[a][n]];
 
@@ -173,7 +173,7 @@ static void add_tangent(const void *self, int thread, int row,
 
     for (int j = 0; j < m; j++)
         for (int n = 0; n < SPRING_STRIPS_AHEAD; n++) {
-            int a = first + j, b = spring_stencil_node(t->net, a, AHEAD[n]);
+            int a = first + j, b = spring_stencil_node(t->mesh, a, AHEAD[n]);
             double all = path->s1 * t->bend[a][AHEAD[n]], along = 0, e[3] = {0, 0, 0};
             if (b < 0)
                 continue;
@@ -186,7 +186,7 @@ static void add_tangent(const void *self, int thread, int row,
         }
     for (int n = soft->row_at[row]; n < soft->row_at[row + 1]; n++)
         spring_soft_tangent(&t->soft, n, soft_strain(s, thread, row, n), path->s1,
-                            &t->net->graph, K);
+                            &t->springs->graph, K);
 }
 
 void spring_strips_clear(struct spring_strips *s)
@@ -199,12 +199,12 @@ void spring_strips_clear(struct spring_strips *s)
 
 static void find_pairs(struct spring_strips *s)
 {
-    const struct spring_net *net = s->stencil->net;
+    const struct mesh *net = s->stencil->mesh;
 
     for (int a = 0; a < net->nodes; a++)
         for (int n = 0; n < SPRING_STRIPS_AHEAD; n++) {
             int b = spring_stencil_node(net, a, AHEAD[n]);
-            s->pair[a][n] = b < 0 ? -1 : blocks_find(&net->graph, a, b);
+            s->pair[a][n] = b < 0 ? -1 : blocks_find(&s->stencil->springs->graph, a, b);
         }
 }
 
@@ -212,7 +212,7 @@ enum status spring_strips_init(struct spring_strips *s,
                                const struct spring_stencil *stencil)
 {
     enum status st;
-    const struct spring_net *net = stencil->net;
+    const struct mesh *net = stencil->mesh;
     const size_t m = (size_t)net->points[1];
     const size_t soft = (size_t)spring_forms_most(&stencil->soft.forms, net);
     const size_t strains = (SPRINGS + 3) * m + 3 * soft;
@@ -221,7 +221,7 @@ enum status spring_strips_init(struct spring_strips *s,
     s->body = (struct large_body){.self = s,
                                   .nodes = net->nodes,
                                   .threads = omp_get_max_threads(),
-                                  .pairs = net->graph.start[net->nodes],
+                                  .pairs = stencil->springs->graph.start[net->nodes],
                                   .strains = strains,
                                   .lagged = SPRINGS * m,
                                   .strain = strain_of,

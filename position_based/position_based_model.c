@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "models/contact/contact_rest.h"
-#include "models/net/net_surface.h"
 #include "models/room.h"
 #include "models/vector.h"
 
@@ -23,7 +22,7 @@ enum { MOST_ITERATIONS = 100, MEASURED = 10 };
 
 static size_t count(const struct pb_motion *m)
 {
-    return 3 * (size_t)m->net.nodes;
+    return 3 * (size_t)m->net.mesh.nodes;
 }
 
 /* --- what is built -----------------------------------------------------------------------
@@ -43,13 +42,13 @@ static double strength_of(const struct pb_motion *m, double k, double w)
 
 static double inverse_mass(const struct pb_motion *m, int a)
 {
-    return 1 / (m->points.mass[a] + m->points.drag[a] * m->dt);
+    return 1 / (m->net.mass[a] + m->net.drag[a] * m->dt);
 }
 
 /* Returns the inverse mass where any component is free, else 0. */
 static double free_inverse_mass(const struct pb_motion *m, int a)
 {
-    const int *place = m->supports.free_index + 3 * a;
+    const int *place = m->net.supports.free_index + 3 * a;
 
     return place[0] >= 0 || place[1] >= 0 || place[2] >= 0 ? inverse_mass(m, a) : 0;
 }
@@ -59,15 +58,15 @@ static void put_points(struct pb_motion *m, const double way[3])
 {
     double *w = m->work, *kick = w + count(m), *keep = kick + count(m);
 
-    for (int a = 0; a < m->net.nodes; a++) {
+    for (int a = 0; a < m->net.mesh.nodes; a++) {
         double inverse = inverse_mass(m, a);
-        keep[a] = m->points.mass[a] * inverse;
-        if (m->contact)
-            m->contact->compliance[a] = inverse * m->dt * m->dt;
+        keep[a] = m->net.mass[a] * inverse;
+        if (m->net.contact)
+            m->net.contact->compliance[a] = inverse * m->dt * m->dt;
         for (int c = 3 * a; c < 3 * a + 3; c++) {
-            bool held = m->supports.free_index[c] < 0;
+            bool held = m->net.supports.free_index[c] < 0;
             w[c] = held ? 0 : inverse;
-            kick[c] = w[c] * m->dt * m->dt * m->points.load[c];
+            kick[c] = w[c] * m->dt * m->dt * m->net.load[c];
             if (way[c % 3] != 0)
                 kick[c] += (keep[a] - 1) * way[c % 3];
         }
@@ -79,8 +78,8 @@ static void put_points(struct pb_motion *m, const double way[3])
 
 static enum pb_kind kind_of(const struct pb_motion *m, const struct spring *s)
 {
-    int rows = s->b / m->net.points[1] - s->a / m->net.points[1];
-    int step = s->b % m->net.points[1] - s->a % m->net.points[1];
+    int rows = s->b / m->net.mesh.points[1] - s->a / m->net.mesh.points[1];
+    int step = s->b % m->net.mesh.points[1] - s->a % m->net.mesh.points[1];
 
     return rows == 0 ? PB_V : step == 0 ? PB_U : step > 0 ? PB_DOWN : PB_UP;
 }
@@ -89,8 +88,8 @@ static void put_springs(struct pb_motion *m)
 {
     for (int kind = 0; kind < PB_SPRINGS; kind++) {
         memset(m->work, 0, count(m) * sizeof *m->work);
-        for (const struct spring *s = m->net.springs;
-             s < m->net.springs + m->net.spring_count; s++) {
+        for (const struct spring *s = m->springs.springs;
+             s < m->springs.springs + m->springs.spring_count; s++) {
             double w = free_inverse_mass(m, s->a) + free_inverse_mass(m, s->b);
             if ((int)kind_of(m, s) == kind)
                 m->work[s->a] = strength_of(m, s->stiffness, w);
@@ -110,7 +109,7 @@ static void set_form(const struct pb_motion *m, int k, double *strength, double 
         sum += form->weight[n] * form->weight[n] *
                free_inverse_mass(m, m->forms.place[k].at + form->step[n]);
     pb_sweep_form(strength_of(m, m->bending_every * form->stiffness, sum),
-                  1 + m->points.beta / m->dt, sum, strength, recall);
+                  1 + m->net.beta / m->dt, sum, strength, recall);
 }
 
 static void put_forms(struct pb_motion *m)
@@ -119,7 +118,7 @@ static void put_forms(struct pb_motion *m)
                                        [SPRING_PLATE_V] = PB_LINE_V,
                                        [SPRING_PLATE_TWIST] = PB_TWIST,
                                        [SPRING_PLATE_MEAN] = PB_MEAN};
-    double *strength = m->work, *recall = m->work + m->net.nodes;
+    double *strength = m->work, *recall = m->work + m->net.mesh.nodes;
 
     for (int k = SPRING_PLATE_U; k <= SPRING_PLATE_MEAN; k++) {
         int kind = kind_of_form[k];
@@ -160,33 +159,33 @@ static void follow(struct pb_motion *m, bool new)
 {
     double way[3];
 
-    if (!pb_sweep_follow(m->sweep, m->x, m->v, way) && !new)
+    if (!pb_sweep_follow(m->sweep, m->net.x, m->net.v, way) && !new)
         return;
     put_points(m, way);
     for (size_t n = 0; n < count(m); n++)
-        m->work[n] = m->dt * m->v[n];
-    pb_sweep_put(m->sweep, PB_X, 3, m->x);
+        m->work[n] = m->dt * m->net.v[n];
+    pb_sweep_put(m->sweep, PB_X, 3, m->net.x);
     pb_sweep_put(m->sweep, PB_D, 3, m->work);
 }
 
 static enum status make_sweep(struct pb_motion *m, enum precision precision)
 {
     enum status st;
-    const double *cell = m->net.cell, diagonal = hypot(cell[0], cell[1]);
-    struct pb_plan plan = {.n = m->net.points[0],
-                           .m = m->net.points[1],
-                           .sheet = m->net.rows,
+    const double *cell = m->net.mesh.cell, diagonal = hypot(cell[0], cell[1]);
+    struct pb_plan plan = {.n = m->net.mesh.points[0],
+                           .m = m->net.mesh.points[1],
+                           .sheet = m->net.mesh.rows,
                            .precision = precision,
                            .rest = {cell[0], cell[1], diagonal, diagonal},
-                           .gain = 1 + m->points.beta / m->dt,
+                           .gain = 1 + m->net.beta / m->dt,
                            .dt = m->dt,
                            .origin.length =
-                               precision == PRECISION_SINGLE ? m->scene->length : 0,
-                           .origin.carried = m->supports.held_count == 0,
+                               precision == PRECISION_SINGLE ? m->net.scene->length : 0,
+                           .origin.carried = m->net.supports.held_count == 0,
                            .odd = m->odd,
                            .odd_count = list_clamps(m)};
 
-    spring_plate_mean(m->scene, cell, plan.mean);
+    spring_plate_mean(m->net.scene, cell, plan.mean);
     TRY(pb_sweep_make(&plan, &m->sweep));
     put_springs(m);
     put_forms(m);
@@ -200,10 +199,9 @@ static double stiffest(const struct pb_motion *m)
 {
     double most = 0;
 
-    for (const struct spring *s = m->net.springs; s < m->net.springs + m->net.spring_count;
-         s++)
-        most = fmax(most,
-                    s->stiffness * (1 / m->points.mass[s->a] + 1 / m->points.mass[s->b]));
+    for (const struct spring *s = m->springs.springs;
+         s < m->springs.springs + m->springs.spring_count; s++)
+        most = fmax(most, s->stiffness * (1 / m->net.mass[s->a] + 1 / m->net.mass[s->b]));
     return most;
 }
 
@@ -222,7 +220,7 @@ static double bending_frequency(const struct pb_motion *m)
             m->work[m->forms.place[n].at + form->step[k]] +=
                 form->stiffness * fabs(form->weight[k]) * sum;
     }
-    for (int a = 0; a < m->net.nodes; a++)
+    for (int a = 0; a < m->net.mesh.nodes; a++)
         most = fmax(most, m->work[a] * free_inverse_mass(m, a));
     return sqrt(most);
 }
@@ -230,9 +228,9 @@ static double bending_frequency(const struct pb_motion *m)
 static enum status set_steps(struct pb_motion *m, const struct discretization *d,
                              struct message *why)
 {
-    double step = m->scene->step, most = stiffest(m);
+    double step = m->net.scene->step, most = stiffest(m);
     double bending = bending_frequency(m);
-    double borne = contact_wanted(m->scene) ? SOFTENING_CONTACT : SOFTENING;
+    double borne = contact_wanted(m->net.scene) ? SOFTENING_CONTACT : SOFTENING;
     double least = fmax(sqrt(most / borne), bending / BENDING);
     double n = d->substeps ? d->substeps : fmax(1, ceil(step * least));
 
@@ -246,26 +244,12 @@ static enum status set_steps(struct pb_motion *m, const struct discretization *d
     return STATUS_OK;
 }
 
-/* Returns the elongation of a spring at x [m]. */
-static double longer(const struct spring *s, const double *x)
-{
-    double e[3];
-
-    vector_between(x + 3 * (size_t)s->a, x + 3 * (size_t)s->b, e);
-    return vector_length(e) - s->length;
-}
-
 static double elastic(const struct pb_motion *m)
 {
-    double sum = 0, value[3];
+    double sum = spring_net_energy(&m->springs, m->net.x), value[3];
 
-    for (const struct spring *s = m->net.springs; s < m->net.springs + m->net.spring_count;
-         s++) {
-        double more = longer(s, m->x);
-        sum += s->stiffness * more * more / 2;
-    }
     for (int n = 0; n < m->forms.count; n++) {
-        spring_form_value(&m->forms, n, m->x, value);
+        spring_form_value(&m->forms, n, m->net.x, value);
         for (int c = 0; c < 3; c++)
             sum += spring_form_of(&m->forms, n)->stiffness * value[c] * value[c] / 2;
     }
@@ -274,11 +258,10 @@ static double elastic(const struct pb_motion *m)
 
 static enum status allocate(struct pb_motion *m)
 {
-    size_t nodes = (size_t)m->net.nodes;
+    size_t nodes = (size_t)m->net.mesh.nodes;
 
-    return room_cut(&m->room, ROOM(m->x, 3 * nodes), ROOM(m->v, 3 * nodes),
-                    ROOM(m->before, 3 * nodes), ROOM(m->work, 9 * nodes),
-                    ROOM(m->shift, m->supports.held_count), ROOM(m->odd, m->forms.count));
+    return room_cut(&m->room, ROOM(m->before, 3 * nodes), ROOM(m->work, 9 * nodes),
+                    ROOM(m->odd, m->forms.count));
 }
 
 void pb_motion_clear(void *motion)
@@ -286,35 +269,19 @@ void pb_motion_clear(void *motion)
     struct pb_motion *m = motion;
 
     pb_sweep_free(m->sweep);
-    net_contact_free(m->contact);
-    spring_load_clear(&m->points);
-    supports_clear(&m->supports);
-    spring_net_clear(&m->net);
+    spring_net_clear(&m->springs);
+    net_clear(&m->net);
     spring_forms_clear(&m->forms);
     free(m->room);
     memset(m, 0, sizeof *m);
 }
 
-/* PBD's stiffness depends on the number of iterations: nothing to arrive at. */
-static void make_arrival(struct pb_motion *m, int iterations)
-{
-    const int *place = m->supports.free_index;
-    const bool one = m->projection == PROJECTION_PBD && !iterations;
-    double mass = 0;
-
-    for (int a = 0; a < m->net.nodes; a++)
-        mass += m->points.mass[a];
-    arrival_init(&m->arrival, one ? 1 : iterations, MOST_ITERATIONS,
-                 arrival_sum(m->net.nodes, place, true, NULL, m->points.load), mass,
-                 m->net.nodes, m->scene, m->dt);
-}
-
 static enum status make_contact(struct pb_motion *m)
 {
-    enum status st = net_contact_make(m->scene, &m->net, &m->supports, &m->contact);
+    enum status st = net_meet(&m->net);
 
-    if (m->contact)
-        m->contact->steps = m->substeps, m->contact->dt = m->dt;
+    if (m->net.contact)
+        m->net.contact->steps = m->substeps, m->net.contact->dt = m->dt;
     return st;
 }
 
@@ -323,17 +290,16 @@ enum status pb_motion_init(struct pb_motion *m, const struct scene *scene,
 {
     enum status st;
 
-    *m = (struct pb_motion){.scene = scene, .projection = OWN(pb_own, d)->projection};
-    TRY(spring_net_init(&m->net, scene, d->points, d->parameters, false));
-    TRY(spring_load_init(&m->points, scene, &m->net, d->parameters));
-    TRY(supports_init(&m->supports, scene, m->net.nodes, m->net.uvw, m->net.rest, why));
-    TRY(spring_plate_make(scene, &m->net, &m->forms));
+    *m = (struct pb_motion){.projection = OWN(pb_own, d)->projection};
+    /* PBD's stiffness depends on the number of iterations: nothing to arrive at. */
+    const bool one = m->projection == PROJECTION_PBD && !d->iterations;
+    TRY(net_init(&m->net, scene, d, why));
+    TRY(spring_net_init(&m->springs, scene, &m->net.mesh, d->parameters, false));
+    TRY(spring_plate_make(scene, &m->net.mesh, d->parameters, &m->forms));
     TRY(allocate(m));
-    memcpy(m->x, m->net.rest, count(m) * sizeof *m->x);
-    supports_initial_velocity(&m->supports, scene, m->net.rest, NULL, m->v);
     m->rest_energy = elastic(m);
     TRY(set_steps(m, d, why));
-    make_arrival(m, d->iterations);
+    net_arrive(&m->net, one ? 1 : d->iterations, MOST_ITERATIONS, m->dt, &m->arrival);
     TRY(make_contact(m));
     TRY(make_sweep(m, d->precision));
 out:
@@ -347,12 +313,12 @@ out:
 
 static void hold(struct pb_motion *m, double t)
 {
-    const struct supports *s = &m->supports;
+    const struct supports *s = &m->net.supports;
 
-    supports_shift(s, m->scene, t, m->shift);
+    supports_shift(s, m->net.scene, t, m->net.shift);
     for (int h = 0; h < s->held_count; h++)
         pb_sweep_hold(m->sweep, s->held[h] / 3, s->held[h] % 3,
-                      m->net.rest[s->held[h]] + m->shift[h]);
+                      m->net.mesh.rest[s->held[h]] + m->net.shift[h]);
 }
 
 /* Adds to force[nodes][3] what the springs pull at start + d: their elastic force and the
@@ -360,10 +326,10 @@ static void hold(struct pb_motion *m, double t)
 static void add_springs(const struct pb_motion *m, const double *start, const double *d,
                         double *force)
 {
-    const double gamma = m->points.beta / m->dt;
+    const double gamma = m->net.beta / m->dt;
 
-    for (const struct spring *s = m->net.springs; s < m->net.springs + m->net.spring_count;
-         s++) {
+    for (const struct spring *s = m->springs.springs;
+         s < m->springs.springs + m->springs.spring_count; s++) {
         double e[3], step[3];
         vector_between(d + 3 * s->a, d + 3 * s->b, step);
         vector_between(start + 3 * s->a, start + 3 * s->b, e);
@@ -384,14 +350,14 @@ static void add_springs(const struct pb_motion *m, const double *start, const do
 static bool ends(struct pb_motion *m, int done, bool bends, double t)
 {
     double *start = m->work, *d = start + count(m), *force = d + count(m), value[3];
-    const int *place = m->supports.free_index;
-    const double square = m->dt * m->dt, gain = 1 + m->points.beta / m->dt;
+    const int *place = m->net.supports.free_index;
+    const double square = m->dt * m->dt, gain = 1 + m->net.beta / m->dt;
 
     pb_sweep_get(m->sweep, PB_X, 3, start);
     pb_sweep_get(m->sweep, PB_D, 3, d);
     for (size_t n = 0; n < count(m); n++)
-        force[n] = d[n] / (inverse_mass(m, (int)n / 3) * square) - m->points.load[n] -
-                   m->points.mass[n / 3] * m->before[n] / square;
+        force[n] = d[n] / (inverse_mass(m, (int)n / 3) * square) - m->net.load[n] -
+                   m->net.mass[n / 3] * m->before[n] / square;
     add_springs(m, start, d, force);
     for (size_t n = 0; n < count(m); n++) {
         start[n] += gain * d[n];
@@ -404,9 +370,9 @@ static bool ends(struct pb_motion *m, int done, bool bends, double t)
                          force);
     }
     const struct arrival_forces f = {
-        arrival_sum(m->net.nodes, place, true, NULL, force),
-        arrival_sum(m->net.nodes, place, false, NULL, force),
-        arrival_sum(m->net.nodes, place, true, m->points.mass, d)};
+        arrival_sum(m->net.mesh.nodes, place, true, NULL, force),
+        arrival_sum(m->net.mesh.nodes, place, false, NULL, force),
+        arrival_sum(m->net.mesh.nodes, place, true, m->net.mass, d)};
     return arrival_ends(&m->arrival, done, &f, t);
 }
 
@@ -420,8 +386,8 @@ static enum status meet_bodies(struct pb_motion *m, double t)
     pb_sweep_get(m->sweep, PB_D, 3, x);
     for (size_t n = 0; n < count(m); n++)
         x[n] += start[n];
-    TRY(net_contact_project(m->contact, t, start, x));
-    if (m->contact->law.count == 0)
+    TRY(net_contact_project(m->net.contact, t, start, x));
+    if (m->net.contact->law.count == 0)
         return STATUS_OK;
     for (size_t n = 0; n < count(m); n++)
         x[n] -= start[n];
@@ -436,14 +402,14 @@ static enum status substep(struct pb_motion *m, bool asked, struct counters *cou
     const bool xpbd = m->projection == PROJECTION_XPBD, looks = xpbd && asked,
                recalls = xpbd && (m->arrival.most > 1 || asked),
                bends = ++m->substep % m->bending_every == 0;
-    const double t = (double)m->substep / m->substeps * m->scene->step;
+    const double t = (double)m->substep / m->substeps * m->net.scene->step;
     enum status st = STATUS_OK;
     int done = 0;
 
     if (looks)
         pb_sweep_get(m->sweep, PB_D, 3, m->before);
     pb_sweep_predict(m->sweep, recalls);
-    if (m->supports.moving)
+    if (m->net.supports.moving)
         hold(m, t);
     do {
         const int until = arrival_next(&m->arrival, done);
@@ -451,7 +417,7 @@ static enum status substep(struct pb_motion *m, bool asked, struct counters *cou
         done = until;
     } while (looks && !ends(m, done, bends, t));
     counters->iterations += done;
-    if (m->contact)
+    if (m->net.contact)
         TRY(meet_bodies(m, t));
     pb_sweep_finish(m->sweep);
 out:
@@ -463,7 +429,7 @@ enum status pb_motion_frame(void *motion, struct counters *counters)
     struct pb_motion *m = motion;
     enum status st = STATUS_OK;
 
-    net_contact_frame(m->contact);
+    net_contact_frame(m->net.contact);
     for (int n = 1; n <= m->substeps; n++)
         TRY(substep(m, !m->arrival.fixed || (n == m->substeps && m->frame % MEASURED == 0),
                     counters));
@@ -471,15 +437,15 @@ enum status pb_motion_frame(void *motion, struct counters *counters)
     counters->steps++;
     counters->substeps += m->substeps;
     arrival_count(&m->arrival, counters);
-    pb_sweep_get(m->sweep, PB_X, 3, m->x);
+    pb_sweep_get(m->sweep, PB_X, 3, m->net.x);
     pb_sweep_get(m->sweep, PB_D, 3, m->work);
-    supports_damp(&m->supports, m->points.keep, m->work);
+    supports_damp(&m->net.supports, m->net.keep, m->work);
     for (size_t n = 0; n < count(m); n++) {
-        m->v[n] = m->work[n] / m->dt;
-        if (!isfinite(m->x[n]) || !isfinite(m->v[n]))
+        m->net.v[n] = m->work[n] / m->dt;
+        if (!isfinite(m->net.x[n]) || !isfinite(m->net.v[n]))
             return STATUS_NAN;
     }
-    if (m->points.keep != 1)
+    if (m->net.keep != 1)
         pb_sweep_put(m->sweep, PB_D, 3, m->work);
     follow(m, false);
 out:
@@ -493,15 +459,8 @@ void pb_motion_energy(const void *motion, struct energy *energy)
 {
     const struct pb_motion *m = motion;
 
-    spring_load_energy(&m->points, m->x, m->v, energy);
+    net_energy(&m->net, m->net.v, energy);
     energy->elastic = fmax(elastic(m) - m->rest_energy, 0);
-}
-
-static void pb_motion_contact(const void *motion, struct model_contact *contact)
-{
-    const struct pb_motion *m = motion;
-
-    *contact = net_contact_report(m->contact);
 }
 
 /* clang-format off */
@@ -532,30 +491,12 @@ out:
     return st;
 }
 
-static void probe(const void *state, int n, const double *uvw, double *xyz)
-{
-    const struct pb_motion *m = state;
-    const struct net_surface net = {m->net.rows, m->net.points[1], m->x, 3, 1};
-
-    net_surface_points(&net, m->scene, n, uvw, xyz);
-}
-
-static void size(const void *state, struct model_size *size)
-{
-    const struct pb_motion *m = state;
-
-    *size = (struct model_size){.nodes = m->net.nodes,
-                                .unknowns = m->supports.free_count,
-                                .solver = "none",
-                                .unknown_basis = "mid-surface points"};
-}
-
 /* Describes the misfit of springs to plane stress, and what one iteration leaves. */
 static void describe(const void *state, struct message *line)
 {
     const struct pb_motion *m = state;
 
-    spring_law_tell(&m->net.law, m->net.cell, m->scene, line);
+    spring_law_tell(&m->springs.law, m->net.mesh.cell, m->net.scene, line);
     size_t end = strlen(line->text);
     snprintf(line->text + end, sizeof line->text - end,
              "; steps of %.3g s, one iteration adds up to %.3g of their compliance to "
@@ -589,11 +530,11 @@ const struct model position_based_model = {
     .bytes = sizeof(struct pb_motion),
     .init = init,
     .advance = pb_motion_frame,
-    .probe = probe,
-    .size = size,
+    .probe = net_probe,
+    .size = net_size,
     .describe = describe,
     .doubt = doubt,
     .energy = pb_motion_energy,
-    .contact = pb_motion_contact,
+    .contact = net_touches,
     .clear = pb_motion_clear,
 };

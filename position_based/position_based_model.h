@@ -2,11 +2,8 @@
 #ifndef POSITION_BASED_MODEL_H
 #define POSITION_BASED_MODEL_H
 
-#include "models/mechanics/arrival.h"
-#include "models/mechanics/supports.h"
-#include "models/model.h"
-#include "models/net/net_contact.h"
-#include "models/net/spring_load.h"
+#include "models/net/net.h"
+#include "models/net/spring_net.h"
 #include "models/net/spring_plate.h"
 #include "position_based/pb_sweep.h"
 
@@ -79,14 +76,11 @@ struct pb_own { /* choices of its own (models/option.h) */
 };
 
 struct pb_motion {
-    const struct scene *scene; /* borrowed                                             */
-    struct spring_net net;
-    struct spring_load points;
-    struct supports supports;
+    struct net net; /* first: net.h                                                    */
+    struct spring_net springs;
     struct spring_forms forms; /*                                              owned   */
     struct pb_odd *odd;        /* the clamps among them                        owned   */
     struct pb_sweep *sweep;
-    struct net_contact *contact; /* or NULL                                    owned   */
     enum projection projection;
     struct arrival arrival;
     int substeps;
@@ -96,9 +90,7 @@ struct pb_motion {
     double rest_energy;  /* round-off of the energy at rest                      [J]    */
     long substep, frame; /* taken so far                                               */
     void *room;
-    double *x, *v;         /* [nodes][3] of now                                        */
     double *before, *work; /* [3][nodes][3]                                            */
-    double *shift;         /* [held_count]                                             */
 };
 
 /* Initialises; *m must stay where it is: it holds pointers into itself. */

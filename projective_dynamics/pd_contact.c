@@ -26,7 +26,8 @@ void pd_contact_clear(struct pd_contact *c)
 }
 
 enum status pd_contact_init(struct pd_contact *c, const struct scene *scene,
-                            struct pd_system *system, const int *free_index)
+                            struct pd_system *system, const struct mesh *mesh,
+                            const int *free_index)
 {
     enum status st;
     const struct pd_net *net = system->net;
@@ -40,7 +41,7 @@ enum status pd_contact_init(struct pd_contact *c, const struct scene *scene,
                  ROOM(c->pushed, 3 * nodes), ROOM(c->goal, 3 * nodes),
                  ROOM(c->force, 3 * nodes), ROOM(c->alone, 3 * nodes),
                  ROOM(c->compliance, nodes)));
-    TRY(contact_surface_init_net(&surface, scene, (int[2]){net->n, net->m}));
+    TRY(mesh_contact(mesh, scene, &surface));
     TRY(contact_init(&c->law, scene, &surface));
     c->law.thin.count = 0; /* its fixed matrix does not arrive where they act */
     return STATUS_OK;

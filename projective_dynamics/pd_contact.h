@@ -49,7 +49,8 @@ struct pd_contact {
 
 /* Initialises for a scene that has something to meet. */
 enum status pd_contact_init(struct pd_contact *c, const struct scene *scene,
-                            struct pd_system *system, const int *free_index);
+                            struct pd_system *system, const struct mesh *mesh,
+                            const int *free_index);
 void pd_contact_clear(struct pd_contact *c);
 
 /* Begins a step [t, t + dt] at `start`, three fields. */

@@ -20,8 +20,8 @@ static const double PAPER_STRETCH = 10, PAPER_BEND = 10, PAPER_MASS = 1;
 
 /* The list to which rows are added. */
 struct row_list {
+    const struct mesh *mesh;  /*                                             borrowed */
     const struct pd_net *net; /*                                             borrowed */
-    const double *area;       /* [nodes]                            [m^2]    borrowed */
     struct pd_row *rows;      /* room for ROWS a node                        borrowed */
     int count;
 };
@@ -75,8 +75,10 @@ static struct lines inside(const struct pd_net *net, int k)
 }
 
 /* Returns whether a clamped node k is on a clamped line along u, along v (area: both). */
-static struct lines on_line(const struct pd_net *net, int k, const bool *clamped)
+static struct lines on_line(const struct row_list *b, int k)
 {
+    const struct pd_net *net = b->net;
+    const bool *clamped = b->mesh->clamped;
     int i = k / net->m % net->rows, j = k % net->m, m = net->m;
 
     if (!clamped[k])
@@ -113,14 +115,15 @@ static void add_curvatures(struct row_list *b, int k, const struct plate *p)
 
     if (has.u && has.v) {
         for (int sign = -1; sign <= 1; sign += 2) {
-            struct pd_row *row = add_row(b, b->area[k] * p->D * (1 + sign * nu) / 2);
+            struct pd_row *row = add_row(b, b->mesh->area[k] * p->D * (1 + sign * nu) / 2);
             add_second(row, k, net->m, p->r * cu);
             add_second(row, k, 1, sign * cv / p->r);
         }
     } else if (has.u) {
-        add_second(add_row(b, b->area[k] * p->along[0] * (1 - nu * nu)), k, net->m, cu);
+        add_second(add_row(b, b->mesh->area[k] * p->along[0] * (1 - nu * nu)), k, net->m,
+                   cu);
     } else if (has.v) {
-        add_second(add_row(b, b->area[k] * p->along[1] * (1 - nu * nu)), k, 1, cv);
+        add_second(add_row(b, b->mesh->area[k] * p->along[1] * (1 - nu * nu)), k, 1, cv);
     }
 }
 
@@ -140,10 +143,10 @@ static void add_clamp(struct row_list *b, int k, int by, double length,
 /* Adds half a cell of curvature between the clamped node k and its free neighbours across
  * the clamped lines that it is on: two in an area. */
 static void add_clamps(struct row_list *b, const struct scene *scene, int k,
-                       const bool *clamped, const double D[2])
+                       const double D[2])
 {
     const struct pd_net *net = b->net;
-    const struct lines has = inside(net, k), line = on_line(net, k, clamped);
+    const struct lines has = inside(net, k), line = on_line(b, k);
     const struct scene_pose *pose = &scene->pose[k / net->m / net->rows];
     const int place[2] = {k / net->m % net->rows, k % net->m},
               points[2] = {net->rows, net->m}, by[2] = {net->m, 1};
@@ -153,14 +156,14 @@ static void add_clamps(struct row_list *b, const struct scene *scene, int k,
     for (int along = 0; along < 2; along++)
         for (int s = -1; across[along] && s <= 1; s += 2) {
             const int to = place[along] + s, step = s * by[along];
-            if (to >= 0 && to < points[along] && !clamped[k + step])
+            if (to >= 0 && to < points[along] && !b->mesh->clamped[k + step])
                 add_clamp(b, k, step, length[along], along ? pose->axis_v : pose->axis_u, s,
-                          D[along] * b->area[k] / (1 + inner[along]));
+                          D[along] * b->mesh->area[k] / (1 + inner[along]));
         }
 }
 
-/* Adds the plate's energy with the scene's D and nu, and clamps at `clamped` nodes. */
-static void add_plate(struct row_list *b, const struct scene *scene, const bool *clamped)
+/* Adds the plate's energy with the scene's D and nu, and clamps. */
+static void add_plate(struct row_list *b, const struct scene *scene)
 {
     const struct pd_net *net = b->net;
     const struct law law = scene_law(scene);
@@ -169,9 +172,9 @@ static void add_plate(struct row_list *b, const struct scene *scene, const bool 
     const double twist = law.isotropic ? 1 - p.nu : 2 * B[LAW_33] / p.D;
 
     for (int k = 0; k < net->nodes; k++) {
-        struct lines line = on_line(net, k, clamped);
+        struct lines line = on_line(b, k);
         if (line.u || line.v)
-            add_clamps(b, scene, k, clamped, p.along);
+            add_clamps(b, scene, k, p.along);
         else
             add_curvatures(b, k, &p);
         if (pd_net_has(net, PD_EDGE_FALLING, k))
@@ -188,7 +191,7 @@ static void add_mean_curvature(struct row_list *b, double weight)
         struct lines has = inside(net, k);
         if (!has.u && !has.v)
             continue;
-        struct pd_row *row = add_row(b, b->area[k] * weight);
+        struct pd_row *row = add_row(b, b->mesh->area[k] * weight);
         if (has.u)
             add_second(row, k, net->m, 1 / (net->du * net->du));
         if (has.v)
@@ -255,44 +258,31 @@ static void set_edges(struct pd_energy *e, const struct scene *scene,
 static void set_mass(struct pd_energy *e, const struct scene *scene,
                      enum parameters parameters)
 {
-    const struct pd_net *net = &e->net;
     double density = parameters == PARAMETERS_PAPER
                          ? PAPER_MASS / (scene->length * scene->width)
                          : scene->density * scene->thickness;
 
-    for (int k = 0; k < net->nodes; k++) {
-        int i = k / net->m % net->rows, j = k % net->m;
-        double u = i > 0 && i < net->rows - 1 ? net->du : net->du / 2;
-        double v = j > 0 && j < net->m - 1 ? net->dv : net->dv / 2;
-        e->area[k] = u * v;
-        e->mass[k] = density * e->area[k];
-    }
+    for (int k = 0; k < e->net.nodes; k++)
+        e->mass[k] = density * e->mesh->area[k];
 }
 
-static void set_rest(struct pd_energy *e, const struct scene *scene)
+static void set_rest(struct pd_energy *e)
 {
-    const struct pd_net *net = &e->net;
-
-    for (int k = 0; k < net->nodes; k++) {
-        double uvw[3], x[3];
-        pd_net_parameters(net, scene, k, uvw);
-        scene_rest_point(scene, uvw, x);
-        for (int c = 0; c < 3; c++)
-            e->rest[c * pd_net_stride(net) + k] = x[c];
-    }
+    for (int n = 0; n < 3 * e->net.nodes; n++)
+        e->rest[n % 3 * pd_net_stride(&e->net) + n / 3] = e->mesh->rest[n];
 }
 
 static enum status allocate(struct pd_energy *e)
 {
     const ptrdiff_t stride = pd_net_stride(&e->net);
-    double *field = e->fields = pd_net_fields(&e->net, PD_EDGES + 5);
+    double *field = e->fields = pd_net_fields(&e->net, PD_EDGES + 4);
 
     e->rows = malloc((size_t)ROWS * (size_t)e->net.nodes * sizeof *e->rows);
     if (!field || !e->rows)
         return STATUS_MEMORY;
     for (int c = 0; c < PD_EDGES; c++, field += stride)
         e->edge[c] = field;
-    e->mass = field, e->area = field + stride, e->rest = field + 2 * stride;
+    e->mass = field, e->rest = field + stride;
     return STATUS_OK;
 }
 
@@ -303,26 +293,26 @@ void pd_energy_clear(struct pd_energy *e)
     memset(e, 0, sizeof *e);
 }
 
-enum status pd_energy_init(struct pd_energy *e, const struct scene *scene, int n, int m,
-                           enum constraint constraint, enum parameters parameters,
-                           const bool *clamped)
+enum status pd_energy_init(struct pd_energy *e, const struct scene *scene,
+                           const struct mesh *mesh, enum constraint constraint,
+                           enum parameters parameters)
 {
     enum status st;
-    struct pd_energy new = {.constraint = constraint};
+    struct pd_energy new = {.mesh = mesh, .constraint = constraint};
 
-    pd_net_init(&new.net, scene, n, m);
+    pd_net_init(&new.net, mesh);
     TRY(allocate(&new));
     set_mass(&new, scene, parameters);
-    set_rest(&new, scene);
+    set_rest(&new);
     if (constraint == CONSTRAINT_TRIANGLES)
         set_triangles(&new, scene, parameters);
     else
         set_edges(&new, scene, parameters);
-    struct row_list bending = {&new.net, new.area, new.rows, 0};
+    struct row_list bending = {mesh, &new.net, new.rows, 0};
     if (parameters == PARAMETERS_PAPER)
         add_mean_curvature(&bending, PAPER_BEND);
     else
-        add_plate(&bending, scene, clamped);
+        add_plate(&bending, scene);
     new.row_count = bending.count;
     new.constraints += new.row_count;
     new.rest_value = pd_energy_value(&new, new.rest);

@@ -22,11 +22,10 @@
  * C11, C22 and C33 of plane stress; their C12 equals C33, which is right at nu = 1/3 only.
  * Bending: the plate's D and nu.
  *
- * Clamps: a node held in x, y, z through the full thickness, with a neighbour held so,
- * keeps the slope across the line through both, which in an area are two: a mirrored
- * ghost node gives the row 1/2 w |2 (x_1 - x_0 - du e_u) / du^2|^2. A point support, and
- * one on part of the thickness (a hinge), keep positions only; so do all supports of the
- * paper's set.
+ * Clamps: a clamped node (mesh.h) with a clamped neighbour keeps the slope across the line
+ * through both, which in an area are two: a mirrored ghost node gives the row 1/2 w |2 (x_1
+ * - x_0 - du e_u) / du^2|^2. A point support, and one on part of the thickness (a hinge),
+ * keep positions only; so do all supports of the paper's set.
  */
 #ifndef PD_ENERGY_H
 #define PD_ENERGY_H
@@ -48,13 +47,14 @@ struct pd_row {
 };
 
 struct pd_energy {
+    const struct mesh *mesh; /*                                              borrowed  */
     struct pd_net net;
     enum constraint constraint;
-    double *fields; /* memory of the next four                              owned     */
+    double *fields; /* memory of the next three                             owned     */
     double *edge[PD_EDGES]; /* weight of each edge in the constant matrix, by k [N/m];
                                triangles write theirs here too                        */
     double deviator, trace; /* weights of one triangle, its area included [N m]        */
-    double *mass, *area;    /* lumped, per node [kg], [m^2]                            */
+    double *mass;           /* lumped, per node [kg]                                   */
     double *rest;           /* [3] fields                                              */
     int row_count;
     struct pd_row *rows; /* bending and clamps                            owned     */
@@ -62,11 +62,10 @@ struct pd_energy {
     double rest_value;   /* energy at rest, from rounding alone [J]                 */
 };
 
-/* Makes the energy; n, m >= 2. clamped[nodes]: held in x, y, z through the full
- * thickness. */
-enum status pd_energy_init(struct pd_energy *e, const struct scene *scene, int n, int m,
-                           enum constraint constraint, enum parameters parameters,
-                           const bool *clamped);
+/* Makes the energy of a grid, which must stay where it is. */
+enum status pd_energy_init(struct pd_energy *e, const struct scene *scene,
+                           const struct mesh *mesh, enum constraint constraint,
+                           enum parameters parameters);
 void pd_energy_clear(struct pd_energy *e);
 
 /* Returns elastic energy [J] of positions x, three fields; 0 for the rest shape. */

@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "models/damping.h"
-#include "models/mechanics/dead_load.h"
 #include "models/room.h"
 
 static const double PAPER_DAMPING = 0.005; /* share of the velocity lost a frame       */
@@ -19,7 +18,7 @@ enum { MOST_ITERATIONS = 1000, MEASURED = 10 };
 static double fall(const struct pd_motion *m, int c, ptrdiff_t at)
 {
     const struct scene *scene = m->scene;
-    double wind = scene->drag * scene->thickness * m->energy.area[0] / m->energy.mass[0];
+    double wind = scene->drag * scene->thickness * m->mesh.area[0] / m->energy.mass[0];
 
     return scene->gravity[c] + wind * scene->wind[c] + (m->dead ? m->dead[at] : 0);
 }
@@ -181,7 +180,7 @@ out:
 static double mass_damping(const struct scene *scene, const struct pd_energy *e,
                            enum parameters parameters)
 {
-    double alpha = scene->drag * scene->thickness * e->area[0] / e->mass[0];
+    double alpha = scene->drag * scene->thickness * e->mesh->area[0] / e->mass[0];
 
     if (parameters == PARAMETERS_MATCHED)
         alpha += damping_mass(scene);
@@ -193,45 +192,6 @@ static double velocity_factor(const struct pd_motion *m)
 {
     return m->options.parameters == PARAMETERS_PAPER ? 1 - PAPER_DAMPING
                                                      : damping_velocity(m->scene);
-}
-
-/* Finds held nodes, at w = 1/2: a support on part of the thickness holds the mid-surface if
- * that is in the part. */
-static enum status hold_nodes(struct pd_motion *m, struct message *why)
-{
-    struct pd_net net;
-    double(*uvw)[3], (*rest)[3];
-    enum status st;
-
-    pd_net_init(&net, m->scene, m->options.points[0], m->options.points[1]);
-    uvw = malloc(2 * (size_t)net.nodes * sizeof *uvw);
-    if (!uvw)
-        return STATUS_MEMORY;
-    rest = uvw + net.nodes;
-    for (int k = 0; k < net.nodes; k++) {
-        pd_net_parameters(&net, m->scene, k, uvw[k]);
-        scene_rest_point(m->scene, uvw[k], rest[k]);
-    }
-    st = supports_init(&m->supports, m->scene, net.nodes, uvw, *rest, why);
-    free(uvw);
-    return st;
-}
-
-/* Marks clamped[nodes]: held in x, y, z, each by a support through the full thickness. */
-static void find_clamped(const struct pd_motion *m, bool *clamped)
-{
-    const struct supports *s = &m->supports;
-
-    memset(clamped, 0, (size_t)s->nodes * sizeof *clamped);
-    for (int h = 0; h + 2 < s->held_count; h++) {
-        bool full = s->held[h] % 3 == 0 && s->held[h + 2] == s->held[h] + 2;
-        for (int c = 0; full && c < 3; c++) {
-            const struct scene_support *owner = &m->scene->supports[s->owner[h + c]];
-            full = owner->lo[2] <= 0 && owner->hi[2] >= 1;
-        }
-        if (full)
-            clamped[s->held[h] / 3] = true;
-    }
 }
 
 static enum status allocate(struct pd_motion *m)
@@ -249,27 +209,19 @@ static enum status allocate(struct pd_motion *m)
     return m->shift ? STATUS_OK : STATUS_MEMORY;
 }
 
-/* Distributes the loads to the nodes with their hat functions, as the triangles do. */
 static enum status add_loads(struct pd_motion *m)
 {
     const struct pd_net *net = &m->energy.net;
-    const struct dead_load_line line[3] = {{.n = m->options.points[0], .degree = 1},
-                                           {.n = m->options.points[1], .degree = 1},
-                                           {.n = 1}};
-    enum status st = STATUS_MEMORY;
     double *force = NULL;
+    enum status st = mesh_loads(&m->mesh, m->scene, &force);
 
-    if (!m->scene->load_count)
-        return STATUS_OK;
-    force = calloc(3 * (size_t)net->nodes, sizeof *force);
+    if (st != STATUS_OK || !force)
+        return st;
     m->dead = pd_net_fields(net, 3);
-    if (force && m->dead)
-        st = dead_load_add(m->scene, line, force);
-    for (int k = 0; st == STATUS_OK && k < net->nodes; k++)
-        for (int c = 0; c < 3; c++)
-            m->dead[c * pd_net_stride(net) + k] = force[3 * k + c] / m->energy.mass[k];
+    for (int n = 0; m->dead && n < 3 * net->nodes; n++)
+        m->dead[n % 3 * pd_net_stride(net) + n / 3] = force[n] / m->energy.mass[n / 3];
     free(force);
-    return st;
+    return m->dead ? STATUS_OK : STATUS_MEMORY;
 }
 
 /* Starts at rest, with the scene's initial velocity where nothing is held. */
@@ -333,6 +285,7 @@ void pd_motion_clear(void *motion)
     pd_system_clear(&m->system);
     pd_energy_clear(&m->energy);
     supports_clear(&m->supports);
+    mesh_clear(&m->mesh);
     memset(m, 0, sizeof *m);
 }
 
@@ -340,18 +293,15 @@ enum status pd_motion_init(struct pd_motion *m, const struct scene *scene,
                            const struct pd_options *options, struct message *why)
 {
     enum status st;
-    bool *clamped = NULL;
+    const struct mesh *mesh = &m->mesh;
     double share = 0;
 
     *m = (struct pd_motion){.scene = scene, .options = *options};
     m->dt = scene->step / options->substeps;
     m->span = options->second ? 2 * m->dt / 3 : m->dt;
-    TRY(hold_nodes(m, why));
-    if (!(clamped = malloc((size_t)m->supports.nodes * sizeof *clamped)))
-        TRY(STATUS_MEMORY);
-    find_clamped(m, clamped);
-    TRY(pd_energy_init(&m->energy, scene, options->points[0], options->points[1],
-                       options->constraint, options->parameters, clamped));
+    TRY(mesh_init(&m->mesh, scene, options->points));
+    TRY(supports_init(&m->supports, scene, mesh->nodes, mesh->uvw, mesh->rest, why));
+    TRY(pd_energy_init(&m->energy, scene, mesh, options->constraint, options->parameters));
     m->alpha = mass_damping(scene, &m->energy, options->parameters);
     if (options->split)
         share = find_share(m);
@@ -359,7 +309,7 @@ enum status pd_motion_init(struct pd_motion *m, const struct scene *scene,
                        m->span * m->span, share > 0 ? share : 1, options->solver));
     TRY(pd_local_init(&m->local, &m->energy, m->span * m->span, share));
     if (contact_wanted(scene))
-        TRY(pd_contact_init(&m->contact, scene, &m->system, m->supports.free_index));
+        TRY(pd_contact_init(&m->contact, scene, &m->system, mesh, m->supports.free_index));
     TRY(allocate(m));
     TRY(add_loads(m));
     make_arrival(m);
@@ -369,7 +319,6 @@ enum status pd_motion_init(struct pd_motion *m, const struct scene *scene,
     if (options->second)
         TRY(remember(m));
 out:
-    free(clamped);
     if (st != STATUS_OK)
         pd_motion_clear(m);
     return st;

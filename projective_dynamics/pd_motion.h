@@ -51,6 +51,7 @@ struct pd_backward {
 struct pd_motion {
     const struct scene *scene; /*                                           borrowed  */
     struct pd_options options;
+    struct mesh mesh;
     struct pd_energy energy;
     struct supports supports;
     struct pd_system system;

@@ -6,24 +6,17 @@
 
 enum { LINE = 8 }; /* numbers of a cache line */
 
-void pd_net_init(struct pd_net *net, const struct scene *scene, int n, int m)
+void pd_net_init(struct pd_net *net, const struct mesh *mesh)
 {
-    const int sheets = scene_sheets(scene);
+    const int m = mesh->points[1];
 
-    *net = (struct pd_net){.n = sheets * n, .m = m, .nodes = sheets * n * m, .rows = n};
-    net->du = scene->length / (n - 1);
-    net->dv = scene->width / (m - 1);
-    net->pad = (m + 1 + 2 * LINE) / LINE * LINE;
-}
-
-void pd_net_parameters(const struct pd_net *net, const struct scene *scene, int k,
-                       double uvw[3])
-{
-    const int i = k / net->m, n = net->rows;
-
-    uvw[0] = scene_sheet_u(scene, i / n, (double)(i % n) / (n - 1));
-    uvw[1] = (double)(k % net->m) / (net->m - 1);
-    uvw[2] = 0.5;
+    *net = (struct pd_net){.n = mesh->points[0],
+                           .m = m,
+                           .nodes = mesh->nodes,
+                           .rows = mesh->rows,
+                           .du = mesh->cell[0],
+                           .dv = mesh->cell[1],
+                           .pad = (m + 1 + 2 * LINE) / LINE * LINE};
 }
 
 ptrdiff_t pd_net_stride(const struct pd_net *net)

@@ -1,8 +1,5 @@
-/* pd_net.h - the layout of a net's nodes in memory, and its edges.
- *
- * n x m nodes, evenly over the mid-surfaces of the sheets, node k = i m + j; each sheet has
- * as many rows i, and no edge leads from one to the next. A field
- * of numbers per node has zeros before node 0 and behind the last, so that k + m + 1 and
+/* pd_net.h - the layout of a grid's nodes (mesh.h) in memory, and its edges. A field of
+ * numbers per node has zeros before node 0 and behind the last, so that k + m + 1 and
  * k - m - 1 may always be read: loops run over k without looking at the rims of the net;
  * what would cross them has weight zero.
  */
@@ -12,7 +9,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "models/scene.h"
+#include "models/mesh/mesh.h"
 
 struct pd_net {
     int n, m, nodes;
@@ -25,12 +22,8 @@ struct pd_net {
  * k+m+1 and k+1 -> k+m of the cell at k. */
 enum pd_edge { PD_EDGE_U, PD_EDGE_V, PD_EDGE_FALLING, PD_EDGE_RISING, PD_EDGES };
 
-/* Makes a net of n x m >= 2 x 2 nodes a sheet. */
-void pd_net_init(struct pd_net *net, const struct scene *scene, int n, int m);
-
-/* Computes a node's parameters, w = 1/2. */
-void pd_net_parameters(const struct pd_net *net, const struct scene *scene, int k,
-                       double uvw[3]);
+/* Makes the layout of a grid. */
+void pd_net_init(struct pd_net *net, const struct mesh *mesh);
 
 /* Returns the distance from a field to the next one of the same array. */
 ptrdiff_t pd_net_stride(const struct pd_net *net);

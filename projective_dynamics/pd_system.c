@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "models/linalg/order.h"
 #include "models/room.h"
 
 /* The lower part of a 5 x 5 stencil: node (i,j) with (i+di, j+dj) behind it. */
@@ -152,13 +151,14 @@ static bool same_held(const struct pd_system *s, int a, int b)
 }
 
 /* Groups neighbouring components with the same held nodes. */
-static enum status make_groups(struct pd_system *s, enum solver solver)
+static enum status make_groups(struct pd_system *s, const struct mesh *mesh,
+                               enum solver solver)
 {
     enum status st;
     long *start = NULL;
     int *row = NULL, *order = NULL;
 
-    TRY(order_wide(s->net->n, s->net->m, 1, &order));
+    TRY(mesh_order(mesh, &order));
     TRY(make_pattern(s, &start, &row));
     struct factor_pattern pattern = {s->net->nodes, start, row, order};
     for (int c = 0; c < 3; c += s->group[s->group_count++].count) {
@@ -209,7 +209,7 @@ enum status pd_system_init(struct pd_system *s, const struct pd_energy *energy,
     add_rows(&new, energy, factor);
     for (int h = 0; h < supports->held_count; h++)
         new.held[supports->held[h] % 3 * nodes + (size_t)supports->held[h] / 3] = true;
-    TRY(make_groups(&new, solver));
+    TRY(make_groups(&new, energy->mesh, solver));
     HAND_OVER(s, new);
 out:
     pd_system_clear(&new);

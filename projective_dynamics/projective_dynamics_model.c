@@ -1,7 +1,6 @@
 #include "projective_dynamics/projective_dynamics_model.h"
 
 #include "models/contact/contact_rest.h"
-#include "models/net/net_surface.h"
 #include "models/net/spring_law.h"
 #include "projective_dynamics/pd_motion.h"
 
@@ -110,9 +109,9 @@ static void probe(const void *state, int n, const double *uvw, double *xyz)
 {
     const struct pd_motion *m = state;
     const struct pd_net *net = &m->energy.net;
-    const struct net_surface surface = {net->rows, net->m, m->x, 1, pd_net_stride(net)};
+    const struct mesh_field field = {m->x, 1, pd_net_stride(net), 0};
 
-    net_surface_points(&surface, m->scene, n, uvw, xyz);
+    mesh_sample(&m->mesh, m->scene, &field, n, uvw, xyz);
 }
 
 static void doubt(const void *state, struct message *line)
@@ -126,7 +125,7 @@ static void doubt(const void *state, struct message *line)
 static void describe(const void *state, struct message *line)
 {
     const struct pd_motion *m = state;
-    const double cell[2] = {m->energy.net.du, m->energy.net.dv};
+    const double *cell = m->mesh.cell;
     struct spring_law law;
 
     *line->text = '\0';

@@ -39,36 +39,36 @@ static inline struct discretization net_of(int n, int m)
 }
 
 /* A net that moves. */
-struct net {
+struct springs {
     struct scene scene;
     struct discretization d;
     struct spring_motion m;
     struct counters counters;
 };
 
-/* Change scene and d before net_start. */
-static inline void net_init(struct net *s, int n, int m, bool held)
+/* Change scene and d before springs_start. */
+static inline void springs_init(struct springs *s, int n, int m, bool held)
 {
-    *s = (struct net){.d = net_of(n, m)};
+    *s = (struct springs){.d = net_of(n, m)};
     fill_scene(&s->scene, held);
 }
 
-static inline void net_start(struct net *s)
+static inline void springs_start(struct springs *s)
 {
     struct message why = {{0}};
 
     if (!CHECK(spring_motion_init(&s->m, &s->scene, &s->d, &why) == STATUS_OK))
         printf("%s\n", why.text);
-    REQUIRE(s->m.x);
+    REQUIRE(s->m.net.x);
 }
 
-static inline void net_steps(struct net *s, int count)
+static inline void springs_steps(struct springs *s, int count)
 {
     for (int n = 0; n < count; n++)
         CHECK(spring_motion_step(&s->m, &s->counters) == STATUS_OK);
 }
 
-static inline double net_energy(struct net *s)
+static inline double springs_energy(struct springs *s)
 {
     struct energy e;
 
@@ -76,20 +76,20 @@ static inline double net_energy(struct net *s)
     return e.kinetic + e.elastic + e.potential;
 }
 
-static inline void net_clear(struct net *s)
+static inline void springs_clear(struct springs *s)
 {
     spring_motion_clear(&s->m);
     scene_clear(&s->scene);
 }
 
 /* Returns the largest elongation of any spring, (l - r) / r. */
-static inline double net_strain(const struct net *s)
+static inline double springs_strain(const struct springs *s)
 {
     double most = -1, e[3];
 
-    for (int n = 0; n < s->m.net.spring_count; n++) {
-        const struct spring *one = &s->m.net.springs[n];
-        vector_between(s->m.x + 3 * one->a, s->m.x + 3 * one->b, e);
+    for (int n = 0; n < s->m.springs.spring_count; n++) {
+        const struct spring *one = &s->m.springs.springs[n];
+        vector_between(s->m.net.x + 3 * one->a, s->m.net.x + 3 * one->b, e);
         most = fmax(most, vector_length(e) / one->length - 1);
     }
     return most;

@@ -11,15 +11,15 @@
 
 static int node_of(const struct tri_net *net, int i, int j)
 {
-    return i * net->points.points[1] + j;
+    return i * net->mesh->points[1] + j;
 }
 
 /* Returns whether four diagonals meet at the node: even i + j in its sheet. */
 static bool is_hub(const struct tri_net *net, int node)
 {
-    int m = net->points.points[1];
+    int m = net->mesh->points[1];
 
-    return (node / m % net->points.rows + node % m) % 2 == 0;
+    return (node / m % net->mesh->rows + node % m) % 2 == 0;
 }
 
 /* Adds the two triangles of a cell: right angles at its points that are no hubs. */
@@ -45,12 +45,12 @@ static void add_hinge(struct tri_net *net, int a, int b, int c, int d, double st
  * angles at either end. Where those are clamped, the clamp bends instead. */
 static void add_edge(struct tri_net *net, double D, int i, int j, int along)
 {
-    const struct spring_net *p = &net->points;
+    const struct mesh *p = net->mesh;
     int across = 1 - along;
     int end[2] = {node_of(net, i, j), node_of(net, i + !along, j + along)};
     int step = along ? p->points[1] : 1;
 
-    if (spring_net_on_rim(p, i, j, along))
+    if (mesh_on_rim(p, i, j, along))
         return;
     for (int k = 0; k < 2; k++) {
         int before = end[k] - step, behind = end[k] + step;
@@ -63,7 +63,7 @@ static void add_edge(struct tri_net *net, double D, int i, int j, int along)
 
 static void add_diagonals(struct tri_net *net, double D, int i, int j)
 {
-    const double *a = net->points.cell;
+    const double *a = net->mesh->cell;
     double k = D * a[0] * a[1] / (a[0] * a[0] + a[1] * a[1]);
     const int p = node_of(net, i, j), q = node_of(net, i + 1, j + 1);
     const int r = node_of(net, i + 1, j), s = node_of(net, i, j + 1);
@@ -75,12 +75,12 @@ static void add_diagonals(struct tri_net *net, double D, int i, int j)
 /* Fills triangles and hinges, strip by strip. */
 static void fill(struct tri_net *net, double D)
 {
-    int n = net->points.points[0], m = net->points.points[1];
+    int n = net->mesh->points[0], m = net->mesh->points[1];
 
     for (int i = 0; i < n; i++) {
         net->triangle_at[i] = net->triangle_count;
         net->hinge_at[i] = net->hinge_count;
-        const bool last = i % net->points.rows == net->points.rows - 1; /* of its sheet */
+        const bool last = i % net->mesh->rows == net->mesh->rows - 1; /* of its sheet */
         for (int j = 0; !last && j < m; j++) {
             if (j + 1 < m)
                 add_triangles(net, i, j);
@@ -135,7 +135,7 @@ static enum status make_graph(struct tri_net *net)
         list(&next, most, 4, 0, net->hinges[k].node);
     list_forms(&next, most, &net->forms);
     list_forms(&next, most, &net->soft.forms);
-    TRY(blocks_init(&net->graph, net->points.nodes, elements, most, ien));
+    TRY(blocks_init(&net->graph, net->mesh->nodes, elements, most, ien));
 out:
     free(ien);
     return st;
@@ -170,7 +170,6 @@ static void set_plate(struct tri_net *net)
 void tri_net_clear(struct tri_net *net)
 {
     blocks_clear(&net->graph);
-    spring_net_clear(&net->points);
     spring_forms_clear(&net->forms);
     spring_soft_clear(&net->soft);
     free(net->plate);
@@ -179,29 +178,26 @@ void tri_net_clear(struct tri_net *net)
 }
 
 enum status tri_net_init(struct tri_net *net, const struct scene *scene,
-                         const int points[2], enum bending bending)
+                         const struct mesh *mesh, enum bending bending)
 {
     enum status st;
-    struct tri_net new = {0};
-    size_t n, m = (size_t)points[1];
+    struct tri_net new = {.mesh = mesh};
+    const size_t n = (size_t)mesh->points[0], m = (size_t)mesh->points[1];
     bool hinges = bending == BENDING_HINGE;
 
-    TRY(spring_net_init(&new.points, scene, points, PARAMETERS_MATCHED, false));
-    n = (size_t) new.points.points[0];
     TRY(room_cut(&new.room, ROOM(new.triangles, 2 * n * m),
                  ROOM(new.hinges, hinges ? 6 * n * m : 0), ROOM(new.triangle_at, n + 1),
                  ROOM(new.hinge_at, n + 1)));
     fill(&new, hinges ? scene_bending_stiffness(scene) : 0);
-    TRY(spring_plate_make(scene, &new.points, &new.forms));
-    TRY(spring_forms_sort(&new.forms, &new.points,
-                          hinges ? 1u << SPRING_PLATE_CLAMP : ~0u));
-    TRY(spring_soft_init(&new.soft, scene, &new.points));
+    TRY(spring_plate_make(scene, mesh, PARAMETERS_MATCHED, &new.forms));
+    TRY(spring_forms_sort(&new.forms, mesh, hinges ? 1u << SPRING_PLATE_CLAMP : ~0u));
+    TRY(spring_soft_init(&new.soft, scene, mesh));
     TRY(make_graph(&new));
     for (int k = 0; k < new.triangle_count; k++)
         find_pairs(&new.graph, 3, new.triangles[k].node, new.triangles[k].pair);
     for (int k = 0; k < new.hinge_count; k++)
         find_pairs(&new.graph, 4, new.hinges[k].node, new.hinges[k].pair);
-    new.plate = calloc((size_t) new.graph.start[new.points.nodes], sizeof *new.plate);
+    new.plate = calloc((size_t) new.graph.start[mesh->nodes], sizeof *new.plate);
     if (!new.plate)
         TRY(STATUS_MEMORY);
     set_plate(&new);
@@ -321,7 +317,7 @@ static struct tangents tangents_of(const struct tri_body *b, const struct tri_tr
 
     for (int d = 0; d < 2; d++) {
         const double *to = x + 3 * (t->node[1 + d] - first);
-        double scale = t->side[d] / b->net->points.cell[d];
+        double scale = t->side[d] / b->net->mesh->cell[d];
         for (int i = 0; i < 3; i++)
             X.at[d][i] = scale * (to[i] - root[i]);
     }
@@ -388,7 +384,7 @@ static double *strain_of(const void *self, int thread, int strip, const double *
     const struct tri_body *b = self;
     const struct tri_net *net = b->net;
     struct tri_body_room *r = &b->work[thread];
-    int m = net->points.points[1], rows = net->points.points[0] - strip;
+    int m = net->mesh->points[1], rows = net->mesh->points[0] - strip;
     double *next = r->strain;
 
     r->first = strip * m;
@@ -413,7 +409,7 @@ static void set_geometry(const void *self, int thread, int strip, const double *
 {
     const struct tri_body *b = self;
     struct tri_body_room *r = &b->work[thread];
-    int m = b->net->points.points[1], rows = b->net->points.points[0] - strip;
+    int m = b->net->mesh->points[1], rows = b->net->mesh->points[0] - strip;
     int count = 3 * m * (rows < ROWS ? rows : ROWS);
 
     memcpy(r->x[1], r->x[0], (size_t)count * sizeof(double));
@@ -425,7 +421,7 @@ static void set_geometry(const void *self, int thread, int strip, const double *
 
 static const double *stiffness_of(const struct tri_body *b, const struct tri_triangle *t)
 {
-    const struct spring_net *points = &b->net->points;
+    const struct mesh *points = b->net->mesh;
 
     return b->D[t->node[0] / (points->rows * points->points[1])];
 }
@@ -461,7 +457,7 @@ static void membrane_force(const struct tri_body *b, const struct tri_triangle *
     if (!pull_of(b, t, r, e, &X, &s, stress, g))
         return;
     for (int d = 0; d < 2; d++) {
-        double scale = t->side[d] / b->net->points.cell[d];
+        double scale = t->side[d] / b->net->mesh->cell[d];
         for (int i = 0; i < 3; i++) {
             double f = scale * (2 * g[d] * X.at[d][i] + g[2] * X.at[1 - d][i]);
             force[3 * t->node[1 + d] + i] += f;
@@ -545,7 +541,7 @@ static void membrane_tangent(const struct tri_body *b, const struct tri_triangle
     struct tangents X;
     struct tri_strain s;
     double stress[3], g[3], M[3][3], Q[2][2][3][3], B[81], w[3][2];
-    const double *cell = b->net->points.cell;
+    const double *cell = b->net->mesh->cell;
 
     if (!pull_of(b, t, r, e, &X, &s, stress, g))
         return;
@@ -589,7 +585,7 @@ static void add_tangent(const void *self, int thread, int strip,
     const struct tri_net *net = b->net;
     const struct tri_body_room *r = &b->work[thread];
     const struct blocks *graph = &net->graph;
-    const int m = net->points.points[1];
+    const int m = net->mesh->points[1];
     const int *form_at = net->forms.row_at, *soft_at = net->soft.forms.row_at;
     const double *e = r->strain;
 
@@ -627,7 +623,7 @@ void tri_body_clear(struct tri_body *b)
 
 static enum status make_rooms(struct tri_body *b)
 {
-    size_t points = 3 * ROWS * (size_t)b->net->points.points[1];
+    size_t points = 3 * ROWS * (size_t)b->net->mesh->points[1];
     int threads = omp_get_max_threads();
 
     b->work = calloc((size_t)threads, sizeof *b->work);
@@ -645,21 +641,21 @@ enum status tri_body_init(struct tri_body *b, const struct scene *scene,
                           const struct tri_net *net, enum membrane membrane)
 {
     enum status st;
-    int n = net->points.points[0];
+    int n = net->mesh->points[0];
 
     *b = (struct tri_body){.net = net, .membrane = membrane};
     for (int k = 0; k < scene_sheets(scene); k++) {
         const struct scene sheet = scene_sheet(scene, k);
         tri_strain_stiffness(&sheet, membrane, b->D[k]);
     }
-    b->area = net->points.cell[0] * net->points.cell[1] / 2;
+    b->area = net->mesh->cell[0] * net->mesh->cell[1] / 2;
     b->forms_from = 3 * most_of(net->triangle_at, n);
-    b->hinges_from = b->forms_from + 3 * spring_forms_most(&net->forms, &net->points) +
-                     3 * spring_forms_most(&net->soft.forms, &net->points);
+    b->hinges_from = b->forms_from + 3 * spring_forms_most(&net->forms, net->mesh) +
+                     3 * spring_forms_most(&net->soft.forms, net->mesh);
     b->body =
         (struct large_body){.self = b,
-                            .nodes = net->points.nodes,
-                            .pairs = net->graph.start[net->points.nodes],
+                            .nodes = net->mesh->nodes,
+                            .pairs = net->graph.start[net->mesh->nodes],
                             .strains = (size_t)(b->hinges_from + most_of(net->hinge_at, n)),
                             .lagged = (size_t)b->forms_from,
                             .strain = strain_of,
@@ -682,7 +678,7 @@ double tri_body_energy(const struct tri_body *b, const double *x)
     const int *form_at = net->forms.row_at, *soft_at = net->soft.forms.row_at;
     double energy = 0, stress[3];
 
-    for (int strip = 0; strip < net->points.points[0]; strip++) {
+    for (int strip = 0; strip < net->mesh->points[0]; strip++) {
         const double *e = strain_of(b, 0, strip, x, NULL), *form, *hinge;
         if (!e)
             return NAN;

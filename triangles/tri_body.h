@@ -31,7 +31,7 @@ struct tri_strain {
     double H[3][3][3]; /* d2e_k / dC_l dC_m                                            */
 };
 
-/* A net of n x m points (spring_net.h) as triangles, with what bends it.
+/* A grid (mesh.h) as triangles, with what bends it.
  *
  * Every cell is cut along one diagonal, and neighbouring cells along different ones: the
  * diagonals meet at the points with even i + j, which have eight triangles, four of them
@@ -75,8 +75,8 @@ struct tri_hinge {
 /* A net of triangles, in strips: strip i has what has its least row of points at row i, and
  * reaches rows i to i + 2. */
 struct tri_net {
-    struct spring_net points; /* its springs are not used                              */
-    void *room;               /* of the arrays                                 owned   */
+    const struct mesh *mesh; /*                                               borrowed */
+    void *room;              /* of the arrays                                 owned   */
     int triangle_count, hinge_count;
     struct tri_triangle *triangles;
     struct tri_hinge *hinges;
@@ -88,8 +88,9 @@ struct tri_net {
                       [N/m], owned                                                     */
 };
 
+/* Makes the triangles of a mesh, which must stay where it is. */
 enum status tri_net_init(struct tri_net *net, const struct scene *scene,
-                         const int points[2], enum bending bending);
+                         const struct mesh *mesh, enum bending bending);
 void tri_net_clear(struct tri_net *net);
 
 struct tri_body {

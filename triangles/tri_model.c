@@ -7,30 +7,11 @@
 
 #include "models/contact/contact_rest.h"
 #include "models/mechanics/pencil.h"
-#include "models/net/net_surface.h"
-#include "models/room.h"
-
-static size_t count_of(const struct tri_motion *m)
-{
-    return 3 * (size_t)m->net.points.nodes;
-}
-
-static enum status make_arrays(struct tri_motion *m)
-{
-    enum status st =
-        room_cut(&m->room, ROOM(m->x, count_of(m)), ROOM(m->v, m->swept ? count_of(m) : 0));
-
-    if (st != STATUS_OK)
-        return st;
-    memcpy(m->x, m->net.points.rest, count_of(m) * sizeof *m->x);
-    m->rest_energy = tri_body_energy(&m->body, m->x);
-    return STATUS_OK;
-}
 
 /* Makes, once, what steps but swept ones, equilibrium and modes need. */
 static enum status make_march(struct tri_motion *m, struct message *why)
 {
-    const struct spring_net *points = &m->net.points;
+    const struct mesh *mesh = &m->net.mesh;
     struct discretization d = m->asked;
 
     if (m->march.graph)
@@ -39,14 +20,14 @@ static enum status make_march(struct tri_motion *m, struct message *why)
         d.integrator = INTEGRATOR_MOMENTUM;
     m->march = (struct march){
         .body = m->body.body,
-        .scene = m->scene,
-        .graph = &m->net.graph,
-        .mass = m->load.mass,
-        .rest = points->rest,
-        .x = m->x,
-        .load = m->load.load,
-        .net = {points->points[0], points->points[1], 1},
-        .supports = &m->supports,
+        .scene = m->net.scene,
+        .graph = &m->triangles.graph,
+        .mass = m->net.mass,
+        .rest = mesh->rest,
+        .x = m->net.x,
+        .load = m->net.load,
+        .net = {mesh->points[0], mesh->points[1], 1},
+        .supports = &m->net.supports,
         .unknowns = "mid-surface points",
     };
     return march_init_net(&m->march, &d, why);
@@ -56,39 +37,30 @@ static enum status make_leapfrog(struct tri_motion *m, const struct discretizati
                                  struct message *why)
 {
     enum status st;
-    const struct spring_net *points = &m->net.points;
-    struct spring_body body = {.load = &m->load,
-                               .supports = &m->supports,
-                               .stencil = &m->stencil,
-                               .cells = &m->cells};
+    const struct mesh *mesh = &m->net.mesh;
+    struct spring_body body = {.net = &m->net, .stencil = &m->stencil, .cells = &m->cells};
 
     m->cells.membrane = OWN(tri_own, d)->membrane;
     m->cells.D[0] = m->body.D[0][LAW_11];
     m->cells.D[1] = m->body.D[0][LAW_12];
     m->cells.D[2] = m->body.D[0][LAW_22];
     m->cells.D[3] = m->body.D[0][LAW_33];
-    memcpy(m->cells.cell, points->cell, sizeof m->cells.cell);
-    TRY(spring_stencil_init(&m->stencil, m->scene, points));
-    spring_stencil_replace(&m->stencil, &m->net.forms);
-    supports_initial_velocity(&m->supports, m->scene, points->rest, NULL, m->v);
-    TRY(spring_leapfrog_make(&body, d->precision, d->substeps, m->x, m->v, &m->leapfrog,
-                             why));
+    memcpy(m->cells.cell, mesh->cell, sizeof m->cells.cell);
+    TRY(spring_stencil_init(&m->stencil, m->net.scene, mesh, NULL, &m->triangles.forms));
+    TRY(spring_leapfrog_make(&body, d->precision, d->substeps, &m->leapfrog, why));
 out:
     return st;
 }
 
-static enum status build(struct tri_motion *m, const struct discretization *d,
-                         struct message *why)
+static enum status build(struct tri_motion *m, const struct scene *scene,
+                         const struct discretization *d, struct message *why)
 {
     enum status st;
-    const struct scene *scene = m->scene;
-    struct spring_net *points = &m->net.points;
 
-    TRY(tri_net_init(&m->net, scene, d->points, d->bending));
-    TRY(tri_body_init(&m->body, scene, &m->net, OWN(tri_own, d)->membrane));
-    TRY(spring_load_init(&m->load, scene, points, PARAMETERS_MATCHED));
-    TRY(supports_init(&m->supports, scene, points->nodes, points->uvw, points->rest, why));
-    TRY(make_arrays(m));
+    TRY(net_init(&m->net, scene, d, why));
+    TRY(tri_net_init(&m->triangles, scene, &m->net.mesh, d->bending));
+    TRY(tri_body_init(&m->body, scene, &m->triangles, OWN(tri_own, d)->membrane));
+    m->rest_energy = tri_body_energy(&m->body, m->net.x);
     if (m->swept) {
         TRY(make_leapfrog(m, d, why));
     } else {
@@ -105,11 +77,9 @@ static void tri_motion_clear(void *motion)
     spring_leapfrog_free(m->leapfrog);
     spring_stencil_clear(&m->stencil);
     march_clear(&m->march);
-    supports_clear(&m->supports);
-    spring_load_clear(&m->load);
     tri_body_clear(&m->body);
-    tri_net_clear(&m->net);
-    free(m->room);
+    tri_net_clear(&m->triangles);
+    net_clear(&m->net);
     memset(m, 0, sizeof *m);
 }
 
@@ -117,11 +87,10 @@ static void tri_motion_clear(void *motion)
 static enum status tri_motion_init(struct tri_motion *m, const struct scene *scene,
                                    const struct discretization *d, struct message *why)
 {
-    *m = (struct tri_motion){.scene = scene,
-                             .swept = d->integrator == INTEGRATOR_LEAPFROG &&
+    *m = (struct tri_motion){.swept = d->integrator == INTEGRATOR_LEAPFROG &&
                                       d->bending == BENDING_QUADRATIC,
                              .asked = *d};
-    enum status st = build(m, d, why);
+    enum status st = build(m, scene, d, why);
 
     if (st != STATUS_OK)
         tri_motion_clear(m);
@@ -138,7 +107,7 @@ static enum status tri_motion_step(void *state, struct counters *counters)
     if (!m->leapfrog)
         return march_step(state, counters);
     m->march.rested = false;
-    TRY(spring_leapfrog_frame(m->leapfrog, m->x, counters));
+    TRY(spring_leapfrog_frame(m->leapfrog, counters));
     counters->steps++;
 out:
     return st;
@@ -153,7 +122,7 @@ static enum status tri_motion_rest(void *state, struct counters *counters,
     TRY(make_march(m, why));
     TRY(march_equilibrium(state, counters, why));
     if (m->leapfrog)
-        spring_leapfrog_place(m->leapfrog, m->march.time, m->x);
+        spring_leapfrog_place(m->leapfrog, m->march.time);
 out:
     return st;
 }
@@ -172,22 +141,24 @@ static enum status tri_motion_matrices(const void *state, struct matrix *K,
 {
     const struct tri_motion *m = state;
     enum status st;
-    struct scene bare = *m->scene;
+    struct scene bare = *m->net.scene;
+    struct mesh mesh = {0};
     struct tri_net net = {0};
     struct tri_body body = {0};
     double(*tangent)[9] = NULL, *mass = NULL;
 
     bare.support_count = 0;
-    TRY(tri_net_init(&net, &bare, m->asked.points,
-                     m->net.hinge_count ? BENDING_HINGE : BENDING_QUADRATIC));
+    TRY(mesh_init(&mesh, &bare, m->asked.points));
+    TRY(tri_net_init(&net, &bare, &mesh,
+                     m->triangles.hinge_count ? BENDING_HINGE : BENDING_QUADRATIC));
     TRY(tri_body_init(&body, &bare, &net, m->body.membrane));
     tangent = calloc((size_t)body.body.pairs, sizeof *tangent);
     mass = calloc((size_t)body.body.pairs, sizeof *mass);
     if (!tangent || !mass)
         TRY(STATUS_MEMORY);
-    for (int a = 0; a < net.points.nodes; a++)
-        mass[net.graph.start[a]] = m->load.mass[a];
-    TRY(large_body_tangent(&body.body, &large_path_statics, net.points.rest,
+    for (int a = 0; a < mesh.nodes; a++)
+        mass[net.graph.start[a]] = m->net.mass[a];
+    TRY(large_body_tangent(&body.body, &large_path_statics, mesh.rest,
                            (struct large_foresight){0}, tangent));
     TRY(pencil_matrices(
         &(struct pencil){&net.graph, (const double(*)[9])tangent, mass, false}, K, M));
@@ -196,6 +167,7 @@ out:
     free(mass);
     tri_body_clear(&body);
     tri_net_clear(&net);
+    mesh_clear(&mesh);
     return st;
 }
 
@@ -206,7 +178,7 @@ static void tri_motion_contact(const void *state, struct model_contact *contact)
     if (!m->leapfrog || m->march.rested)
         march_contact(state, contact);
     else
-        *contact = spring_leapfrog_contact(m->leapfrog);
+        net_touches(&m->net, contact);
 }
 
 static void tri_motion_energy(const void *state, struct energy *energy)
@@ -214,9 +186,9 @@ static void tri_motion_energy(const void *state, struct energy *energy)
     const struct tri_motion *m = state;
 
     if (m->leapfrog)
-        spring_leapfrog_velocity(m->leapfrog, m->v);
-    spring_load_energy(&m->load, m->x, m->leapfrog ? m->v : m->march.v, energy);
-    energy->elastic = tri_body_energy(&m->body, m->x) - m->rest_energy;
+        spring_leapfrog_velocity(m->leapfrog, m->net.v);
+    net_energy(&m->net, m->leapfrog ? m->net.v : m->march.v, energy);
+    energy->elastic = tri_body_energy(&m->body, m->net.x) - m->rest_energy;
 }
 
 /* clang-format off */
@@ -285,16 +257,14 @@ static enum status init(void *state, const struct scene *scene,
 static void probe(const void *state, int n, const double *uvw, double *xyz)
 {
     const struct tri_motion *m = state;
-    const struct net_surface net = {m->net.points.rows, m->net.points.points[1], m->x, 3,
-                                    1};
 
-    net_surface_points(&net, m->scene, n, uvw, xyz);
+    net_probe(&m->net, n, uvw, xyz);
 }
 
 static void size(const void *state, struct model_size *size)
 {
     const struct tri_motion *m = state;
-    const struct system none = {.held = &m->supports};
+    const struct system none = {.held = &m->net.supports};
 
     *size = system_size(m->march.system.factor ? &m->march.system : &none,
                         "mid-surface points");
@@ -318,8 +288,8 @@ static void describe(const void *state, struct message *line)
                  ? "membrane by the conditions of Baraff and Witkin: the C11, C22 and C33 "
                    "of the sheet, and no C12"
                  : "",
-             conditions && (l || m->net.hinge_count) ? "; " : "",
-             m->net.hinge_count
+             conditions && (l || m->triangles.hinge_count) ? "; " : "",
+             m->triangles.hinge_count
                  ? "hinges bend with the scene's D about any axis, but with the Gaussian "
                    "curvature of a plate of nu = 0: a narrow strip is 1 / (1 - nu^2) times "
                    "too stiff"

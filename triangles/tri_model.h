@@ -25,19 +25,14 @@ struct tri_own { /* choices of its own (models/option.h) */
 
 struct tri_motion {
     struct march march;          /* first: march.h; made when swept steps need it        */
-    const struct scene *scene;   /* borrowed                                             */
     bool swept;                  /* steps of spring_leapfrog.h                           */
     struct discretization asked; /* integrator, substeps, iterations, solver           */
-    struct tri_net net;
+    struct net net;
+    struct tri_net triangles;
     struct tri_body body;
-    struct spring_load load;
-    struct supports supports;
-    void *room;                /* of the arrays                                owned   */
-    double *x;                 /* [nodes][3] present points                    [m]     */
     struct spring_cells cells; /* swept only, as what follows                        */
     struct spring_stencil stencil;
     struct spring_leapfrog *leapfrog; /*                                       owned   */
-    double *v;                        /* [nodes][3] work                         [m/s] */
     double rest_energy; /* round-off of the energy at rest                       [J]   */
 };
 

@@ -22,16 +22,16 @@ static void start_lists(int nodes, int *from)
         from[a + 1] += from[a];
 }
 
-static void count_elements(struct vb_body *b, const struct tri_net *net, bool springs)
+static void count_elements(struct vb_body *b, const struct tri_net *net,
+                           const struct spring_net *springs)
 {
-    const struct spring_net *points = &net->points;
 
     for (int k = 0; !springs && k < net->triangle_count; k++)
         for (int c = 0; c < 3; c++)
             b->corners_from[net->triangles[k].node[c] + 1]++;
-    for (int k = 0; springs && k < points->spring_count; k++) {
-        b->springs_from[points->springs[k].a + 1]++;
-        b->springs_from[points->springs[k].b + 1]++;
+    for (int k = 0; springs && k < springs->spring_count; k++) {
+        b->springs_from[springs->springs[k].a + 1]++;
+        b->springs_from[springs->springs[k].b + 1]++;
     }
     for (int a = 0; a < b->nodes; a++)
         for (long n = net->graph.start[a]; n < net->graph.start[a + 1]; n++) {
@@ -51,7 +51,7 @@ static void count_elements(struct vb_body *b, const struct tri_net *net, bool sp
 
 static void list_corners(struct vb_body *b, const struct tri_net *net, int *next)
 {
-    const double *cell = net->points.cell;
+    const double *cell = net->mesh->cell;
 
     for (const struct tri_triangle *t = net->triangles;
          t < net->triangles + net->triangle_count; t++)
@@ -65,10 +65,9 @@ static void list_corners(struct vb_body *b, const struct tri_net *net, int *next
         }
 }
 
-static void list_springs(struct vb_body *b, const struct spring_net *points, int *next)
+static void list_springs(struct vb_body *b, const struct spring_net *net, int *next)
 {
-    for (const struct spring *s = points->springs;
-         s < points->springs + points->spring_count; s++) {
+    for (const struct spring *s = net->springs; s < net->springs + net->spring_count; s++) {
         b->spring[next[s->a]++] = (struct vb_spring){s->b, s->stiffness, s->length};
         b->spring[next[s->b]++] = (struct vb_spring){s->a, s->stiffness, s->length};
     }
@@ -145,7 +144,8 @@ static enum status colour_nodes(struct vb_body *b)
     return good ? STATUS_OK : STATUS_MEMORY;
 }
 
-static enum status list_elements(struct vb_body *b, const struct tri_net *net)
+static enum status list_elements(struct vb_body *b, const struct tri_net *net,
+                                 const struct spring_net *springs)
 {
     const size_t bytes = (size_t)b->nodes * sizeof(int);
     int *next = malloc(bytes + 1);
@@ -157,7 +157,7 @@ static enum status list_elements(struct vb_body *b, const struct tri_net *net)
         list_corners(b, net, next);
     memcpy(next, b->springs_from, bytes);
     if (b->springs_from[b->nodes])
-        list_springs(b, &net->points, next);
+        list_springs(b, springs, next);
     memcpy(next, b->plates_from, bytes);
     list_plate(b, net, next);
     memcpy(next, b->hinges_from, bytes);
@@ -173,12 +173,12 @@ void vb_body_clear(struct vb_body *b)
 }
 
 enum status vb_body_init(struct vb_body *b, const struct tri_net *net,
-                         const struct tri_body *law, bool springs)
+                         const struct tri_body *law, const struct spring_net *springs)
 {
     enum status st;
-    const size_t nodes = (size_t)net->points.nodes;
+    const size_t nodes = (size_t)net->mesh->nodes;
 
-    *b = (struct vb_body){.nodes = net->points.nodes, .area = law->area};
+    *b = (struct vb_body){.nodes = net->mesh->nodes, .area = law->area};
     for (int j = 0; j < 3; j++) {
         double e[3] = {0}, stress[3];
         e[j] = 1;
@@ -190,11 +190,11 @@ enum status vb_body_init(struct vb_body *b, const struct tri_net *net,
         &b->room, ROOM(b->corners_from, nodes + 1), ROOM(b->springs_from, nodes + 1),
         ROOM(b->plates_from, nodes + 1), ROOM(b->hinges_from, nodes + 1),
         ROOM(b->corner, springs ? 0 : 3 * net->triangle_count),
-        ROOM(b->spring, springs ? 2 * net->points.spring_count : 0),
+        ROOM(b->spring, springs ? 2 * springs->spring_count : 0),
         ROOM(b->plate, 2 * net->graph.start[nodes]), ROOM(b->hinge, 4 * net->hinge_count),
         ROOM(b->pull, 3 * nodes), ROOM(b->order, nodes), ROOM(b->colours_from, nodes + 1)));
     count_elements(b, net, springs);
-    TRY(list_elements(b, net));
+    TRY(list_elements(b, net, springs));
     TRY(colour_nodes(b));
 out:
     if (st != STATUS_OK)

@@ -10,6 +10,7 @@
 #ifndef VB_BODY_H
 #define VB_BODY_H
 
+#include "models/net/spring_net.h"
 #include "triangles/tri_body.h"
 
 /* A triangle at one of its corners: of the tangents X_u and X_v, a change of the corner
@@ -52,10 +53,10 @@ struct vb_body {
     int *colours_from; /* [nodes + 1] the first colours + 1 are used                    */
 };
 
-/* Lists the elements of a net: its triangles of this law, or the springs of net->points;
- * forms and hinges. net is borrowed. */
+/* Lists the elements of a net: its triangles of this law, or these springs unless they are
+ * NULL; forms and hinges. net is borrowed. */
 enum status vb_body_init(struct vb_body *b, const struct tri_net *net,
-                         const struct tri_body *law, bool springs);
+                         const struct tri_body *law, const struct spring_net *springs);
 void vb_body_clear(struct vb_body *b);
 
 /* The step's function: sum of inertia |x - target|^2 / 2 over the nodes, and the energy. */

@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "models/contact/contact_rest.h"
-#include "models/net/net_surface.h"
 #include "models/room.h"
 #include "models/vector.h"
 
@@ -19,7 +18,7 @@ enum { CELLS = 10 };
 
 static size_t count(const struct vb_motion *m)
 {
-    return 3 * (size_t)m->net.points.nodes;
+    return 3 * (size_t)m->net.mesh.nodes;
 }
 
 /* --- what is built -----------------------------------------------------------------------
@@ -27,18 +26,12 @@ static size_t count(const struct vb_motion *m)
 
 static double springs_energy(const struct vb_motion *m)
 {
-    const struct spring_net *points = &m->net.points;
-    double sum = 0, way[3], value[3];
+    const struct spring_forms *forms = &m->triangles.forms;
+    double sum = spring_net_energy(&m->springs, m->net.x), value[3];
 
-    for (const struct spring *s = points->springs;
-         s < points->springs + points->spring_count; s++) {
-        vector_between(m->x + 3 * s->a, m->x + 3 * s->b, way);
-        const double more = vector_length(way) - s->length;
-        sum += s->stiffness * more * more / 2;
-    }
-    for (int k = 0; k < m->net.forms.count; k++) {
-        spring_form_value(&m->net.forms, k, m->x, value);
-        sum += spring_form_of(&m->net.forms, k)->stiffness * vector_dot(value, value) / 2;
+    for (int k = 0; k < forms->count; k++) {
+        spring_form_value(forms, k, m->net.x, value);
+        sum += spring_form_of(forms, k)->stiffness * vector_dot(value, value) / 2;
     }
     return sum;
 }
@@ -46,53 +39,40 @@ static double springs_energy(const struct vb_motion *m)
 static double elastic(const struct vb_motion *m)
 {
     return m->own.elements == VB_SPRINGS ? springs_energy(m)
-                                         : tri_body_energy(&m->law, m->x);
-}
-
-static void make_arrival(struct vb_motion *m, int iterations)
-{
-    const int nodes = m->net.points.nodes, *place = m->supports.free_index;
-    double mass = 0;
-
-    for (int a = 0; a < nodes; a++)
-        mass += m->load.mass[a];
-    arrival_init(&m->arrival, iterations, MOST_SWEEPS,
-                 arrival_sum(nodes, place, true, NULL, m->load.load), mass, nodes, m->scene,
-                 m->dt);
+                                         : tri_body_energy(&m->law, m->net.x);
 }
 
 static enum status allocate(struct vb_motion *m)
 {
-    const size_t nodes = (size_t)m->net.points.nodes,
+    const size_t nodes = (size_t)m->net.mesh.nodes,
                  more = m->own.chebyshev > 0 ? 3 * nodes : 0;
 
-    return room_cut(&m->room, ROOM(m->inertia, nodes), ROOM(m->x, 3 * nodes),
-                    ROOM(m->v, 3 * nodes), ROOM(m->gain, 3 * nodes),
+    return room_cut(&m->room, ROOM(m->inertia, nodes), ROOM(m->gain, 3 * nodes),
                     ROOM(m->start, 3 * nodes), ROOM(m->target, 3 * nodes),
                     ROOM(m->force, 3 * nodes), ROOM(m->before[0], more),
-                    ROOM(m->before[1], more), ROOM(m->shift, m->supports.held_count));
+                    ROOM(m->before[1], more));
 }
 
 static void scale_hinges(struct vb_motion *m)
 {
-    const double width = m->scene->length / CELLS;
+    const double width = m->net.scene->length / CELLS;
 
-    for (int k = 0; m->own.hinge_scale == VB_EDGE_LENGTH && k < m->net.hinge_count; k++)
-        m->net.hinges[k].stiffness *= m->net.points.cell[0] / width;
+    for (int k = 0; m->own.hinge_scale == VB_EDGE_LENGTH && k < m->triangles.hinge_count;
+         k++)
+        m->triangles.hinges[k].stiffness *= m->net.mesh.cell[0] / width;
 }
 
 static enum status make_contact(struct vb_motion *m)
 {
-    const enum status st =
-        net_contact_make(m->scene, &m->net.points, &m->supports, &m->contact);
+    const enum status st = net_meet(&m->net);
 
-    for (int a = 0; a < m->net.points.nodes; a++) {
-        m->inertia[a] = (m->load.mass[a] / m->dt + m->load.drag[a]) / m->dt;
-        if (m->contact)
-            m->contact->compliance[a] = 1 / m->inertia[a];
+    for (int a = 0; a < m->net.mesh.nodes; a++) {
+        m->inertia[a] = (m->net.mass[a] / m->dt + m->net.drag[a]) / m->dt;
+        if (m->net.contact)
+            m->net.contact->compliance[a] = 1 / m->inertia[a];
     }
-    if (m->contact)
-        m->contact->steps = m->substeps, m->contact->dt = m->dt;
+    if (m->net.contact)
+        m->net.contact->steps = m->substeps, m->net.contact->dt = m->dt;
     return st;
 }
 
@@ -100,12 +80,11 @@ static void vb_motion_clear(void *motion)
 {
     struct vb_motion *m = motion;
 
-    net_contact_free(m->contact);
     vb_body_clear(&m->body);
-    supports_clear(&m->supports);
-    spring_load_clear(&m->load);
+    spring_net_clear(&m->springs);
     tri_body_clear(&m->law);
-    tri_net_clear(&m->net);
+    tri_net_clear(&m->triangles);
+    net_clear(&m->net);
     free(m->room);
     memset(m, 0, sizeof *m);
 }
@@ -116,22 +95,20 @@ static enum status vb_motion_init(struct vb_motion *m, const struct scene *scene
 {
     enum status st;
 
-    *m =
-        (struct vb_motion){.scene = scene, .own = *OWN(vb_own, d), .substeps = d->substeps};
+    *m = (struct vb_motion){.own = *OWN(vb_own, d), .substeps = d->substeps};
     m->dt = scene->step / m->substeps;
-    TRY(tri_net_init(&m->net, scene, d->points, d->bending));
+    const bool springs = m->own.elements == VB_SPRINGS;
+    TRY(net_init(&m->net, scene, d, why));
+    TRY(tri_net_init(&m->triangles, scene, &m->net.mesh, d->bending));
+    if (springs)
+        TRY(spring_net_init(&m->springs, scene, &m->net.mesh, PARAMETERS_MATCHED, false));
     scale_hinges(m);
-    TRY(tri_body_init(&m->law, scene, &m->net, MEMBRANE_GREEN));
-    TRY(spring_load_init(&m->load, scene, &m->net.points, PARAMETERS_MATCHED));
-    TRY(supports_init(&m->supports, scene, m->net.points.nodes, m->net.points.uvw,
-                      m->net.points.rest, why));
-    TRY(vb_body_init(&m->body, &m->net, &m->law, m->own.elements == VB_SPRINGS));
+    TRY(tri_body_init(&m->law, scene, &m->triangles, MEMBRANE_GREEN));
+    TRY(vb_body_init(&m->body, &m->triangles, &m->law, springs ? &m->springs : NULL));
     TRY(allocate(m));
-    memcpy(m->x, m->net.points.rest, count(m) * sizeof *m->x);
-    supports_initial_velocity(&m->supports, scene, m->net.points.rest, NULL, m->v);
     m->rest_energy = elastic(m);
     TRY(make_contact(m));
-    make_arrival(m, d->iterations);
+    net_arrive(&m->net, d->iterations, MOST_SWEEPS, m->dt, &m->arrival);
 out:
     if (st != STATUS_OK)
         vb_motion_clear(m);
@@ -141,20 +118,11 @@ out:
 /* --- steps -------------------------------------------------------------------------------
  */
 
-static void hold(struct vb_motion *m, double t)
-{
-    const struct supports *s = &m->supports;
-
-    supports_shift(s, m->scene, t, m->shift);
-    for (int h = 0; h < s->held_count; h++)
-        m->x[s->held[h]] = m->net.points.rest[s->held[h]] + m->shift[h];
-}
-
 /* Computes where inertia, drag and loads lead to, and where the sweeps start. */
 static void predict(struct vb_motion *m)
 {
-    for (int a = 0; a < m->net.points.nodes; a++) {
-        const double mass = m->load.mass[a], *load = m->load.load + 3 * a;
+    for (int a = 0; a < m->net.mesh.nodes; a++) {
+        const double mass = m->net.mass[a], *load = m->net.load + 3 * a;
         const double square = vector_dot(load, load);
         double share = m->substep == 0 ? 1 : 0;
 
@@ -162,9 +130,10 @@ static void predict(struct vb_motion *m)
             share = mass / m->dt * vector_dot(m->gain + 3 * a, load) / square;
         share = fmin(fmax(share, 0), 1);
         for (int c = 3 * a, i = 0; i < 3; c++, i++) {
-            m->start[c] = m->x[c];
-            m->target[c] = m->x[c] + (mass / m->dt * m->v[c] + load[i]) / m->inertia[a];
-            m->x[c] += m->dt * (m->v[c] + share * m->dt * load[i] / mass);
+            m->start[c] = m->net.x[c];
+            m->target[c] =
+                m->net.x[c] + (mass / m->dt * m->net.v[c] + load[i]) / m->inertia[a];
+            m->net.x[c] += m->dt * (m->net.v[c] + share * m->dt * load[i] / mass);
         }
     }
 }
@@ -178,8 +147,8 @@ static void accelerate(struct vb_motion *m, int done, double *w)
     *w = done == 1 ? 1 : done == 2 ? 2 / (2 - square) : 4 / (4 - square * *w);
     for (size_t n = 0; n < count(m); n++) {
         if (done > 1)
-            m->x[n] = *w * (m->x[n] - oldest[n]) + oldest[n];
-        oldest[n] = m->x[n];
+            m->net.x[n] = *w * (m->net.x[n] - oldest[n]) + oldest[n];
+        oldest[n] = m->net.x[n];
     }
 }
 
@@ -187,20 +156,20 @@ static void accelerate(struct vb_motion *m, int done, double *w)
 static void find_gain(struct vb_motion *m)
 {
     for (size_t n = 0; n < count(m); n++)
-        m->gain[n] = (m->x[n] - m->start[n]) / m->dt - m->v[n];
+        m->gain[n] = (m->net.x[n] - m->start[n]) / m->dt - m->net.v[n];
 }
 
 /* Returns whether the step ends after `done` sweeps, by the force that they left. */
 static bool ends(struct vb_motion *m, const struct vb_step *s, int done, double t)
 {
-    const int nodes = m->net.points.nodes;
+    const int nodes = m->net.mesh.nodes;
     struct arrival_forces f;
 
     find_gain(m);
-    vb_body_force(&m->body, s, m->x, m->force);
+    vb_body_force(&m->body, s, m->net.x, m->force);
     f.left = arrival_sum(nodes, s->place, true, NULL, m->force);
     f.held = arrival_sum(nodes, s->place, false, NULL, m->force);
-    f.momentum = arrival_sum(nodes, s->place, true, m->load.mass, m->gain) / m->dt;
+    f.momentum = arrival_sum(nodes, s->place, true, m->net.mass, m->gain) / m->dt;
     return arrival_ends(&m->arrival, done, &f, t);
 }
 
@@ -208,15 +177,15 @@ static bool ends(struct vb_motion *m, const struct vb_step *s, int done, double 
  * measures what is left if that is asked for. Returns how often. */
 static int sweep(struct vb_motion *m, bool asked, double t)
 {
-    const struct vb_step s = {m->inertia, m->target, m->supports.free_index};
+    const struct vb_step s = {m->inertia, m->target, m->net.supports.free_index};
     double w = 1;
     int done = 0;
 
     if (m->own.chebyshev > 0)
-        memcpy(m->before[0], m->x, count(m) * sizeof *m->x);
+        memcpy(m->before[0], m->net.x, count(m) * sizeof *m->net.x);
     do {
         for (int until = arrival_next(&m->arrival, done); done < until;) {
-            vb_body_sweep(&m->body, &s, m->x);
+            vb_body_sweep(&m->body, &s, m->net.x);
             done++;
             if (m->own.chebyshev > 0)
                 accelerate(m, done, &w);
@@ -228,16 +197,16 @@ static int sweep(struct vb_motion *m, bool asked, double t)
 static enum status substep(struct vb_motion *m, bool asked, struct counters *counters)
 {
     enum status st = STATUS_OK;
-    double t = (double)(m->substep + 1) / m->substeps * m->scene->step;
+    double t = (double)(m->substep + 1) / m->substeps * m->net.scene->step;
 
     predict(m);
-    hold(m, t);
+    net_hold(&m->net, t);
     counters->iterations += sweep(m, asked, t);
     find_gain(m);
-    TRY(net_contact_project(m->contact, t, m->start, m->x));
+    TRY(net_contact_project(m->net.contact, t, m->start, m->net.x));
     for (size_t n = 0; n < count(m); n++) {
-        m->v[n] = (m->x[n] - m->start[n]) / m->dt;
-        if (!isfinite(m->v[n]))
+        m->net.v[n] = (m->net.x[n] - m->start[n]) / m->dt;
+        if (!isfinite(m->net.v[n]))
             return STATUS_NAN;
     }
     m->substep++;
@@ -251,14 +220,14 @@ static enum status vb_motion_frame(void *motion, struct counters *counters)
     struct vb_motion *m = motion;
     enum status st = STATUS_OK;
 
-    net_contact_frame(m->contact);
+    net_contact_frame(m->net.contact);
     for (int n = 1; n <= m->substeps; n++)
         TRY(substep(m, n == m->substeps && m->frame % MEASURED == 0, counters));
     m->frame++;
     counters->steps++;
     counters->substeps += m->substeps;
     arrival_count(&m->arrival, counters);
-    supports_damp(&m->supports, m->load.keep, m->v);
+    supports_damp(&m->net.supports, m->net.keep, m->net.v);
 out:
     return st;
 }
@@ -270,15 +239,8 @@ void vb_motion_energy(const void *motion, struct energy *energy)
 {
     const struct vb_motion *m = motion;
 
-    spring_load_energy(&m->load, m->x, m->v, energy);
+    net_energy(&m->net, m->net.v, energy);
     energy->elastic = fmax(elastic(m) - m->rest_energy, 0);
-}
-
-static void vb_motion_contact(const void *motion, struct model_contact *contact)
-{
-    const struct vb_motion *m = motion;
-
-    *contact = net_contact_report(m->contact);
 }
 
 /* clang-format off */
@@ -337,25 +299,6 @@ static enum status init(void *state, const struct scene *scene,
     return st == STATUS_OK ? vb_motion_init(state, scene, d, why) : st;
 }
 
-static void probe(const void *state, int n, const double *uvw, double *xyz)
-{
-    const struct vb_motion *m = state;
-    const struct net_surface net = {m->net.points.rows, m->net.points.points[1], m->x, 3,
-                                    1};
-
-    net_surface_points(&net, m->scene, n, uvw, xyz);
-}
-
-static void size(const void *state, struct model_size *size)
-{
-    const struct vb_motion *m = state;
-
-    *size = (struct model_size){.nodes = m->net.points.nodes,
-                                .unknowns = m->supports.free_count,
-                                .solver = "none",
-                                .unknown_basis = "mid-surface points"};
-}
-
 /* Describes the steps, and hinges that do not bend by the scene's law. */
 static void describe(const void *state, struct message *line)
 {
@@ -393,11 +336,11 @@ const struct model vertex_block_model = {
     .bytes = sizeof(struct vb_motion),
     .init = init,
     .advance = vb_motion_frame,
-    .probe = probe,
-    .size = size,
+    .probe = net_probe,
+    .size = net_size,
     .describe = describe,
     .doubt = doubt,
     .energy = vb_motion_energy,
-    .contact = vb_motion_contact,
+    .contact = net_touches,
     .clear = vb_motion_clear,
 };

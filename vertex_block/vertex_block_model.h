@@ -2,10 +2,7 @@
 #ifndef VERTEX_BLOCK_MODEL_H
 #define VERTEX_BLOCK_MODEL_H
 
-#include "models/mechanics/arrival.h"
-#include "models/model.h"
-#include "models/net/net_contact.h"
-#include "models/net/spring_load.h"
+#include "models/net/net.h"
 #include "vertex_block/vb_body.h"
 
 /* A net in time by vertex block descent (Chen, Liu, Yang, Yuksel 2024, ACM Trans. Graph.
@@ -48,13 +45,11 @@ struct vb_own { /* choices of its own (models/option.h) */
 };
 
 struct vb_motion {
-    const struct scene *scene; /* borrowed                                             */
-    struct tri_net net;
+    struct net net; /* first: net.h                                                    */
+    struct tri_net triangles;
+    struct spring_net springs; /* of VB_SPRINGS, else empty                             */
     struct tri_body law;
-    struct spring_load load;
-    struct supports supports;
     struct vb_body body;
-    struct net_contact *contact; /* or NULL                                    owned   */
     struct vb_own own;
     struct arrival arrival;
     int substeps;
@@ -63,13 +58,11 @@ struct vb_motion {
     long substep, frame; /* taken so far                                               */
     void *room;
     double *inertia;   /* [nodes] m / dt^2 + c / dt                          [N/m] */
-    double *x, *v;     /* [nodes][3] of now                                        */
     double *gain;      /* [nodes][3] change of velocity by the last sweeps   [m/s] */
     double *start;     /* [nodes][3] where the step starts                   [m]   */
     double *target;    /* [nodes][3] y                                       [m]   */
     double *force;     /* [nodes][3] that sweeps left                          [N] */
     double *before[2]; /* [nodes][3] the last two sweeps', with Chebyshev    [m]   */
-    double *shift;     /* [held_count]                                             */
 };
 
 void vb_motion_energy(const void *motion, struct energy *energy);

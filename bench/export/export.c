@@ -579,16 +579,18 @@ static void put_springs(const struct export_sheet *s, const struct taker *t,
                         struct message *misfit)
 {
     static const char *const name[] = {"spring u", "spring v", "spring diagonal"};
+    struct mesh mesh = {0};
     struct spring_net net = {0};
 
-    if (spring_net_init(&net, s->scene, s->points, PARAMETERS_MATCHED, false) != STATUS_OK)
+    if (mesh_init(&mesh, s->scene, s->points) != STATUS_OK ||
+        spring_net_init(&net, s->scene, &mesh, PARAMETERS_MATCHED, false) != STATUS_OK)
         arena_end();
     for (int n = 0; n < net.spring_count; n++) {
         const struct spring *k = &net.springs[n];
         if (!(k->stiffness > NOTHING * s->scene->young * s->scene->thickness))
             continue;
-        const int di = k->b / net.points[1] != k->a / net.points[1];
-        const int dj = k->b % net.points[1] != k->a % net.points[1];
+        const int di = k->b / mesh.points[1] != k->a / mesh.points[1];
+        const int dj = k->b % mesh.points[1] != k->a % mesh.points[1];
         t->take(t->context,
                 &(struct number){name[di && dj ? SPRING_DIAGONAL
                                       : di     ? SPRING_U
@@ -596,8 +598,9 @@ static void put_springs(const struct export_sheet *s, const struct taker *t,
                                  vertex_of(s, k->a), vertex_of(s, k->b), k->stiffness,
                                  "N/m", k->length, 1 / k->stiffness});
     }
-    spring_law_tell(&net.law, net.cell, s->scene, misfit);
+    spring_law_tell(&net.law, mesh.cell, s->scene, misfit);
     spring_net_clear(&net);
+    mesh_clear(&mesh);
 }
 
 /* Passes on, one by one, all numbers of a net of points: the material; the mass of each

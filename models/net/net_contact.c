@@ -13,7 +13,7 @@ void net_contact_free(struct net_contact *c)
     free(c);
 }
 
-enum status net_contact_make(const struct scene *scene, const struct spring_net *net,
+enum status net_contact_make(const struct scene *scene, const struct mesh *mesh,
                              const struct supports *supports, struct net_contact **contact)
 {
     enum status st;
@@ -27,13 +27,13 @@ enum status net_contact_make(const struct scene *scene, const struct spring_net 
     if (!c)
         return STATUS_MEMORY;
     c->supports = supports;
-    TRY(contact_surface_init_net(&surface, scene, net->points));
+    TRY(mesh_contact(mesh, scene, &surface));
     TRY(contact_init(&c->law, scene, &surface));
-    c->compliance = calloc((size_t)net->nodes, sizeof *c->compliance);
+    c->compliance = calloc((size_t)mesh->nodes, sizeof *c->compliance);
     if (!c->compliance)
         TRY(STATUS_MEMORY);
-    contact_begin(&c->law, 0, INFINITY, net->rest);
-    TRY(contact_find(&c->law, net->rest));
+    contact_begin(&c->law, 0, INFINITY, mesh->rest);
+    TRY(contact_find(&c->law, mesh->rest));
     contact_report(&c->law, &c->frame);
     *contact = c, c = NULL;
 out:

@@ -6,7 +6,7 @@
 
 #include "models/contact/contact.h"
 #include "models/mechanics/supports.h"
-#include "models/net/spring_net.h"
+#include "models/mesh/mesh.h"
 
 struct net_contact {
     struct contact law;
@@ -19,7 +19,7 @@ struct net_contact {
 
 /* Makes the contact of a net at rest; *contact is NULL where the scene has none, and the
  * functions below then do nothing. The owner sets `steps`, `dt` and `compliance`. */
-enum status net_contact_make(const struct scene *scene, const struct spring_net *net,
+enum status net_contact_make(const struct scene *scene, const struct mesh *mesh,
                              const struct supports *supports, struct net_contact **contact);
 void net_contact_free(struct net_contact *c);
 

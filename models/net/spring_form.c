@@ -78,7 +78,7 @@ void spring_forms_add(struct spring_forms *list, int at, const struct spring_for
     list->place[list->count++] = (struct spring_place){at, k};
 }
 
-static int row_of(const struct spring_forms *list, const struct spring_net *net, int k)
+static int row_of(const struct spring_forms *list, const struct mesh *net, int k)
 {
     const struct spring_form *form = spring_form_of(list, k);
     int least = form->step[0];
@@ -88,7 +88,7 @@ static int row_of(const struct spring_forms *list, const struct spring_net *net,
     return (list->place[k].at + least) / net->points[1];
 }
 
-enum status spring_forms_sort(struct spring_forms *list, const struct spring_net *net,
+enum status spring_forms_sort(struct spring_forms *list, const struct mesh *net,
                               unsigned kinds)
 {
     const int n = net->points[0];
@@ -111,7 +111,7 @@ enum status spring_forms_sort(struct spring_forms *list, const struct spring_net
     return STATUS_OK;
 }
 
-int spring_forms_most(const struct spring_forms *list, const struct spring_net *net)
+int spring_forms_most(const struct spring_forms *list, const struct mesh *net)
 {
     int most = 0;
 
@@ -138,7 +138,7 @@ static void add_weight(struct spring_form *form, int step, double weight)
     form->weight[spring_form_slot(&form->count, form->step, step)] += weight;
 }
 
-void spring_form_second(struct spring_form *form, const struct spring_net *net, int along,
+void spring_form_second(struct spring_form *form, const struct mesh *net, int along,
                         double factor)
 {
     const int step = along == 0 ? net->points[1] : 1;
@@ -148,7 +148,7 @@ void spring_form_second(struct spring_form *form, const struct spring_net *net, 
     add_weight(form, step, factor);
 }
 
-void spring_form_twist(struct spring_form *form, const struct spring_net *net, int i, int j,
+void spring_form_twist(struct spring_form *form, const struct mesh *net, int i, int j,
                        double factor)
 {
     double sum[3][3] = {{0}};
@@ -156,7 +156,7 @@ void spring_form_twist(struct spring_form *form, const struct spring_net *net, i
 
     for (int k = 0; factor != 0 && k < 4; k++) {
         const int di = k / 2 ? 1 : -1, dj = k % 2 ? 1 : -1, sign = di * dj;
-        if (spring_net_beside(net, i, j, di, dj) < 0)
+        if (mesh_beside(net, i, j, di, dj) < 0)
             continue;
         cells++;
         sum[1][1] += sign, sum[1 + di][1 + dj] += sign;
@@ -168,12 +168,12 @@ void spring_form_twist(struct spring_form *form, const struct spring_net *net, i
                        factor / cells * sum[k / 3][k % 3]);
 }
 
-bool spring_form_clamp(const struct spring_net *net, int i, int j, int di, int dj,
+bool spring_form_clamp(const struct mesh *net, int i, int j, int di, int dj,
                        double stiffness, struct spring_form *form)
 {
     const int m = net->points[1], root = i * m + j, step = di * m + dj;
-    const int next = spring_net_beside(net, i, j, di, dj);
-    const bool alone = spring_net_beside(net, i, j, 2 * di, 2 * dj) < 0;
+    const int next = mesh_beside(net, i, j, di, dj);
+    const bool alone = mesh_beside(net, i, j, 2 * di, 2 * dj) < 0;
 
     if (next < 0 || net->clamped[next])
         return false;
@@ -188,15 +188,14 @@ bool spring_form_clamp(const struct spring_net *net, int i, int j, int di, int d
     return true;
 }
 
-bool spring_form_between(const struct spring_net *net, int i, int j, int along)
+bool spring_form_between(const struct mesh *net, int i, int j, int along)
 {
     const int di = along == 0, dj = along == 1;
 
-    return spring_net_beside(net, i, j, -di, -dj) >= 0 &&
-           spring_net_beside(net, i, j, di, dj) >= 0;
+    return mesh_beside(net, i, j, -di, -dj) >= 0 && mesh_beside(net, i, j, di, dj) >= 0;
 }
 
-double spring_form_beside(const struct spring_net *net, int before, int behind)
+double spring_form_beside(const struct mesh *net, int before, int behind)
 {
     return 1 + BESIDE * (net->clamped[before] + net->clamped[behind]);
 }
@@ -213,12 +212,12 @@ struct thread {
     double part[3];
 };
 
-static void add_clamps(struct spring_soft *s, const struct spring_net *net, int i, int j,
+static void add_clamps(struct spring_soft *s, const struct mesh *net, int i, int j,
                        const struct thread *thread)
 {
     for (int side = 0; side < 4; side++) {
         const int along = side / 2, by = side % 2 ? 1 : -1;
-        const bool rim = spring_net_on_rim(net, i, j, along);
+        const bool rim = mesh_on_rim(net, i, j, along);
         const double area = net->cell[0] * net->cell[1] * (rim ? 0.5 : 1);
         const double scale = thread->part[along] / (net->cell[along] * net->cell[along]);
         struct spring_form form;
@@ -235,7 +234,7 @@ static void add_clamps(struct spring_soft *s, const struct spring_net *net, int 
 }
 
 /* Adds the curvature at a free point; B: the law's bending. */
-static void add_point(struct spring_soft *s, const struct spring_net *net, int i, int j,
+static void add_point(struct spring_soft *s, const struct mesh *net, int i, int j,
                       const struct thread *thread, const double *B)
 {
     const bool has[2] = {spring_form_between(net, i, j, 0),
@@ -261,11 +260,11 @@ static void add_point(struct spring_soft *s, const struct spring_net *net, int i
 }
 
 enum status spring_soft_init(struct spring_soft *s, const struct scene *scene,
-                             const struct spring_net *net)
+                             const struct mesh *net)
 {
     enum status st;
     const struct law law = scene_law(scene);
-    const bool bends = law.softens && (net->hinge_count || net->clamp_count);
+    const bool bends = law.softens && mesh_bends(net);
 
     memcpy(s->law, law.soft, sizeof s->law);
     TRY(spring_forms_init(&s->forms, bends ? FORMS * (size_t)net->nodes : 0));

@@ -4,7 +4,8 @@
 #ifndef SPRING_FORM_H
 #define SPRING_FORM_H
 
-#include "models/net/spring_net.h"
+#include "models/linalg/blocks.h"
+#include "models/mesh/mesh.h"
 
 enum { SPRING_FORM_POINTS = 9 };
 
@@ -42,11 +43,11 @@ void spring_forms_add(struct spring_forms *list, int at, const struct spring_for
 
 /* Sorts by the least row that a form reaches, drops kinds that are not bits of `kinds`, and
  * makes row_at. */
-enum status spring_forms_sort(struct spring_forms *list, const struct spring_net *net,
+enum status spring_forms_sort(struct spring_forms *list, const struct mesh *net,
                               unsigned kinds);
 
 /* Returns the largest number of places in a row. */
-int spring_forms_most(const struct spring_forms *list, const struct spring_net *net);
+int spring_forms_most(const struct spring_forms *list, const struct mesh *net);
 
 static inline const struct spring_form *spring_form_of(const struct spring_forms *list,
                                                        int k)
@@ -91,24 +92,24 @@ static inline void spring_form_pull(const struct spring_forms *list, int k, doub
 int spring_form_slot(int *count, int *list, int which);
 
 /* Adds a factor of the second difference, x_uu a_u^2 or x_vv a_v^2. */
-void spring_form_second(struct spring_form *form, const struct spring_net *net, int along,
+void spring_form_second(struct spring_form *form, const struct mesh *net, int along,
                         double factor);
 
 /* Adds a factor of x_uv a_u a_v at (i, j), the mean of the cells around. */
-void spring_form_twist(struct spring_form *form, const struct spring_net *net, int i, int j,
+void spring_form_twist(struct spring_form *form, const struct mesh *net, int i, int j,
                        double factor);
 
 /* Makes kappa a^2 (spring_plate.h) of the clamped point (i, j) towards the free one (di,
  * dj) from it, and of stiffness the part that is its; false if there is none. */
-bool spring_form_clamp(const struct spring_net *net, int i, int j, int di, int dj,
+bool spring_form_clamp(const struct mesh *net, int i, int j, int di, int dj,
                        double stiffness, struct spring_form *form);
 
 /* Tells whether (i, j) has points before and behind it along u (0) or v (1). */
-bool spring_form_between(const struct spring_net *net, int i, int j, int along);
+bool spring_form_between(const struct mesh *net, int i, int j, int along);
 
 /* Returns the weight of the curvature at a free point of a line, 1 in the middle of the
  * net; the arguments are the nodes before and behind it. */
-double spring_form_beside(const struct spring_net *net, int before, int behind);
+double spring_form_beside(const struct mesh *net, int before, int behind);
 
 /* --- softening --------------------------------------------------------------------------
  *
@@ -128,7 +129,7 @@ struct spring_soft {
 
 /* Initialises; there are no forms where nothing softens. */
 enum status spring_soft_init(struct spring_soft *s, const struct scene *scene,
-                             const struct spring_net *net);
+                             const struct mesh *net);
 void spring_soft_clear(struct spring_soft *s);
 
 /* Return, add or subtract [J], [N], [N/m] of form k at its value: the energy; `sign` times

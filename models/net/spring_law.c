@@ -108,6 +108,17 @@ static void match(const struct scene *scene, const double cell[2], struct spring
     law->strut[SPRING_DIAGONAL] = strut_force(turn.q / 2, d.length, area / d.length);
 }
 
+double spring_law_mass(const struct scene *scene, enum parameters parameters)
+{
+    return parameters == PARAMETERS_PAPER ? PAPER_AREA_MASS
+                                          : scene->density * scene->thickness;
+}
+
+double spring_law_drag(enum parameters parameters)
+{
+    return parameters == PARAMETERS_PAPER ? PAPER_DRAG : 0;
+}
+
 void spring_law_make(const struct scene *scene, enum parameters parameters,
                      const double cell[2], struct spring_law *law)
 {
@@ -115,12 +126,9 @@ void spring_law_make(const struct scene *scene, enum parameters parameters,
     if (parameters == PARAMETERS_PAPER) {
         for (int n = 0; n < SPRING_DIRECTIONS; n++)
             law->stiffness[n] = PAPER_STIFFNESS;
-        law->area_mass = PAPER_AREA_MASS;
-        law->drag = PAPER_DRAG;
         return;
     }
     law->rim = 0.5;
-    law->area_mass = scene->density * scene->thickness;
     match(scene, cell, law);
 }
 
@@ -138,7 +146,7 @@ void spring_law_tell(const struct spring_law *law, const double cell[2],
         along_u(sheet) / along_u(net), along_v(sheet) / along_v(net), sheet.c33 / net.c33,
         sheet.c11 / net.c11, sheet.c22 / net.c22, net.c12 / net.c22, sheet.c12 / sheet.c22,
         scene->is_fabric ? "not a fabric's Y12" : "plane stress only at nu = 1/3",
-        law->drag > 0
+        law->rim == 1 /* the paper's */
             ? "; the paper's springs: no bending, own mass and damping, not the scene's"
             : "");
 }

@@ -55,9 +55,12 @@ struct spring_law {
     double strut[SPRING_DIRECTIONS];     /* P of a whole hinge                   [N]   */
     double rim; /* share of whole ones of springs and clamps on the rim [1]   */
     double rim_strut[SPRING_DIRECTIONS]; /* P of a hinge on the rim              [N]   */
-    double area_mass; /*                                                  [kg/m^2]     */
-    double drag;      /* force on a point against its velocity             [N s/m]     */
 };
+
+/* Return a net's mass per area [kg/m^2], and the force on a point against its velocity
+ * [N s/m]. */
+double spring_law_mass(const struct scene *scene, enum parameters parameters);
+double spring_law_drag(enum parameters parameters);
 
 /* Makes the law of a net; cell: a_u, a_v [m] > 0. */
 void spring_law_make(const struct scene *scene, enum parameters parameters,

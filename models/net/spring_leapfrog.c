@@ -15,10 +15,9 @@ static const double FEWER = 0.9;
 
 struct spring_leapfrog {
     struct spring_body body;
-    const struct scene *scene; /* the load's, as what follows                        */
-    const struct spring_net *net;
+    const struct scene *scene; /* the net's                                            */
+    struct net *net;           /* the body's                                           */
     struct spring_sweep *sweep;
-    struct net_contact *contact; /* or NULL                                     owned   */
     int asked, substeps;
     double limit, dt; /* [s] */
     long frame;
@@ -36,20 +35,19 @@ void spring_leapfrog_free(struct spring_leapfrog *l)
     if (!l)
         return;
     spring_sweep_free(l->sweep);
-    net_contact_free(l->contact);
     free(l->room);
     free(l);
 }
 
 static size_t count(const struct spring_leapfrog *l)
 {
-    return 3 * (size_t)l->net->nodes;
+    return 3 * (size_t)l->net->mesh.nodes;
 }
 
 /* Returns the factor on a velocity in a step without forces. */
 static double kept(const struct spring_leapfrog *l, int node)
 {
-    double half = l->body.load->drag[node] / l->body.load->mass[node] * l->dt / 2;
+    double half = l->net->drag[node] / l->net->mass[node] * l->dt / 2;
 
     return (1 - half) / (1 + half);
 }
@@ -67,7 +65,7 @@ static void set_neighbour(const struct spring_stencil *s, int a, int n, double p
 
 static void set_point(struct spring_leapfrog *l, int a)
 {
-    const struct spring_load *load = l->body.load;
+    const struct net *load = l->net;
     const struct spring_stencil *s = l->body.stencil;
     double push = l->dt / (load->mass[a] + load->drag[a] * l->dt / 2), *c = l->c[a];
 
@@ -76,21 +74,21 @@ static void set_point(struct spring_leapfrog *l, int a)
     c[SWEEP_KEEP] = kept(l, a);
     c[SWEEP_PUSH] = push;
     for (int i = 0; i < 3; i++) {
-        bool free = l->body.supports->free_index[3 * a + i] >= 0;
+        bool free = l->net->supports.free_index[3 * a + i] >= 0;
         c[SWEEP_FREE + i] = free;
         c[SWEEP_KICK + i] = free ? push * (load->load[3 * a + i] + s->clamp[a][i]) : 0;
     }
-    if (l->contact)
-        l->contact->compliance[a] = push * l->dt;
+    if (l->net->contact)
+        l->net->contact->compliance[a] = push * l->dt;
 }
 
 static void set_step(struct spring_leapfrog *l, int substeps)
 {
     l->substeps = substeps;
     l->dt = l->scene->step / substeps;
-    if (l->contact)
-        l->contact->steps = substeps, l->contact->dt = l->dt;
-    for (int a = 0; a < l->net->nodes; a++)
+    if (l->net->contact)
+        l->net->contact->steps = substeps, l->net->contact->dt = l->dt;
+    for (int a = 0; a < l->net->mesh.nodes; a++)
         set_point(l, a);
     spring_sweep_set(l->sweep, (const double(*)[SWEEP_COUNT])l->c);
 }
@@ -100,16 +98,16 @@ static void put(struct spring_leapfrog *l, const double *x, const double *moves,
                 const double *v)
 {
     for (size_t n = 0; n < count(l); n++)
-        l->ahead[n] = x[n] + l->body.load->beta * moves[n];
+        l->ahead[n] = x[n] + l->net->beta * moves[n];
     spring_sweep_put(l->sweep, l->ahead, v);
 }
 
 /* Gets x; v only with stiffness damping. */
 static void get(const struct spring_leapfrog *l, double *x, double *v)
 {
-    spring_sweep_get(l->sweep, x, l->body.load->beta > 0 ? v : NULL);
-    for (size_t n = 0; l->body.load->beta > 0 && n < count(l); n++)
-        x[n] -= l->body.load->beta * v[n];
+    spring_sweep_get(l->sweep, x, l->net->beta > 0 ? v : NULL);
+    for (size_t n = 0; l->net->beta > 0 && n < count(l); n++)
+        x[n] -= l->net->beta * v[n];
 }
 
 /* Starts from the present x and v: v becomes that of half a step ago. The kick is found
@@ -124,12 +122,12 @@ static void start(struct spring_leapfrog *l, const double *x, const double *now)
     spring_sweep_run(l->sweep, 0, 1);
     spring_sweep_get(l->sweep, NULL, l->kicked);
     for (size_t n = 0; n < count(l); n++) {
-        bool held = l->body.supports->free_index[n] < 0;
+        bool held = l->net->supports.free_index[n] < 0;
         const double keep = l->c[n / 3][SWEEP_KEEP];
         l->v[n] =
             held ? now[n] : (2 * now[n] - (l->kicked[n] - keep * base[n % 3])) / (1 + keep);
     }
-    if (l->body.load->beta > 0) /* the kick has moved x + beta v */
+    if (l->net->beta > 0) /* the kick has moved x + beta v */
         put(l, x, l->v, l->v);
     else
         spring_sweep_put(l->sweep, NULL, l->v);
@@ -139,14 +137,14 @@ static void start(struct spring_leapfrog *l, const double *x, const double *now)
  * that of the step. Leaves the sweep as it is. */
 void spring_leapfrog_velocity(const struct spring_leapfrog *l, double *v)
 {
-    double *x = l->body.load->beta > 0 ? l->x : NULL, *old = l->v; /* before the kick */
+    double *x = l->net->beta > 0 ? l->x : NULL, *old = l->v; /* before the kick */
 
     spring_sweep_get(l->sweep, x, old);
     spring_sweep_run(l->sweep, 0, 1);
     spring_sweep_get(l->sweep, NULL, v);
     spring_sweep_put(l->sweep, x, old);
     for (size_t n = 0; n < count(l); n++)
-        v[n] = l->body.supports->free_index[n] < 0 ? old[n] : (old[n] + v[n]) / 2;
+        v[n] = l->net->supports.free_index[n] < 0 ? old[n] : (old[n] + v[n]) / 2;
 }
 
 double spring_leapfrog_step(const struct spring_leapfrog *l)
@@ -175,16 +173,16 @@ static double needed(const struct spring_leapfrog *l, double share, double more)
 static enum status make_sweep(const struct spring_leapfrog *l, enum precision precision,
                               struct spring_sweep **sweep)
 {
-    const struct spring_net *net = l->net;
+    const struct mesh *net = &l->net->mesh;
     const struct spring_sweep_plan plan = {
         .n = net->points[0],
         .m = net->points[1],
         .sheet = net->rows,
         .precision = precision,
-        .lag = l->body.load->beta,
+        .lag = l->net->beta,
         .cells = l->body.cells,
         .origin.length = precision == PRECISION_SINGLE ? l->scene->length : 0,
-        .origin.carried = l->body.supports->held_count == 0};
+        .origin.carried = l->net->supports.held_count == 0};
 
     return spring_sweep_make(&plan, sweep);
 }
@@ -197,15 +195,15 @@ static const double SMALL = 1e-7;
 static void multiply(const void *self, const double *x, double *y)
 {
     const struct spring_leapfrog *l = self;
-    const double shorter = fmin(l->net->cell[0], l->net->cell[1]);
-    const double scale = SMALL * shorter * sqrt((double)count(l) * l->body.load->mass[0]);
+    const double shorter = fmin(l->net->mesh.cell[0], l->net->mesh.cell[1]);
+    const double scale = SMALL * shorter * sqrt((double)count(l) * l->net->mass[0]);
 
     for (size_t n = 0; n < count(l); n++)
-        l->ahead[n] = l->net->rest[n] + scale * x[n];
+        l->ahead[n] = l->net->mesh.rest[n] + scale * x[n];
     spring_sweep_put(l->sweep, l->ahead, l->before);
     spring_sweep_run(l->sweep, 0, 1);
     spring_sweep_get(l->sweep, NULL, l->v);
-    for (int a = 0; a < l->net->nodes; a++) {
+    for (int a = 0; a < l->net->mesh.nodes; a++) {
         const double over = 1 / (scale * l->c[a][SWEEP_PUSH]);
         for (int i = 3 * a; i < 3 * a + 3; i++)
             y[i] = (l->now[i] - l->v[i]) * over;
@@ -216,14 +214,14 @@ static void multiply(const void *self, const double *x, double *y)
 static enum status find_frequency(struct spring_leapfrog *l, double *omega)
 {
     enum status st;
-    const struct frequency_body body = {.supports = l->body.supports,
-                                        .mass = l->body.load->mass,
+    const struct frequency_body body = {.supports = &l->net->supports,
+                                        .mass = l->net->mass,
                                         .multiply = multiply,
                                         .self = l};
 
     TRY(make_sweep(l, PRECISION_DOUBLE, &l->sweep));
     set_step(l, 1);
-    spring_sweep_put(l->sweep, l->net->rest, l->now);
+    spring_sweep_put(l->sweep, l->net->mesh.rest, l->now);
     spring_sweep_run(l->sweep, 0, 1);
     spring_sweep_get(l->sweep, NULL, l->now);
     TRY(frequency_of_body(&body, omega));
@@ -235,32 +233,32 @@ out:
 }
 
 enum status spring_leapfrog_make(const struct spring_body *body, enum precision precision,
-                                 int substeps, const double *x, const double *v,
-                                 struct spring_leapfrog **leapfrog, struct message *why)
+                                 int substeps, struct spring_leapfrog **leapfrog,
+                                 struct message *why)
 {
     enum status st;
-    size_t nodes = (size_t)body->load->net->nodes;
+    size_t nodes = (size_t)body->net->mesh.nodes;
     double omega;
     struct spring_leapfrog *l = calloc(1, sizeof *l);
 
     if (!l)
         return STATUS_MEMORY;
-    l->body = *body, l->scene = body->load->scene, l->net = body->load->net;
+    l->body = *body, l->scene = body->net->scene, l->net = body->net;
     l->asked = substeps;
     TRY(room_cut(&l->room, ROOM(l->c, nodes), ROOM(l->x, 3 * nodes), ROOM(l->v, 3 * nodes),
                  ROOM(l->before, 3 * nodes), ROOM(l->now, 3 * nodes),
                  ROOM(l->kicked, 3 * nodes), ROOM(l->ahead, 3 * nodes),
-                 ROOM(l->shift, body->supports->held_count),
-                 ROOM(l->next, body->supports->held_count)));
-    supports_shift(body->supports, l->scene, 0, l->shift);
+                 ROOM(l->shift, body->net->supports.held_count),
+                 ROOM(l->next, body->net->supports.held_count)));
+    supports_shift(&body->net->supports, l->scene, 0, l->shift);
     TRY(find_frequency(l, &omega));
     TRY(make_sweep(l, precision, &l->sweep));
-    TRY(net_contact_make(l->scene, l->net, body->supports, &l->contact));
-    l->limit = frequency_limit(omega, body->load->beta);
+    TRY(net_meet(l->net));
+    l->limit = frequency_limit(omega, l->net->beta);
     TRY(frequency_steps(l->scene->step, l->limit, CHOSEN, substeps, &substeps, why));
-    spring_sweep_follow(l->sweep, x, v);
+    spring_sweep_follow(l->sweep, l->net->x, l->net->v);
     set_step(l, substeps);
-    start(l, x, v);
+    start(l, l->net->x, l->net->v);
     *leapfrog = l, l = NULL;
 out:
     spring_leapfrog_free(l);
@@ -270,25 +268,25 @@ out:
 /* Moves held points to time t, with the velocity of their way. */
 static void hold(struct spring_leapfrog *l, double t)
 {
-    const struct supports *s = l->body.supports;
+    const struct supports *s = &l->net->supports;
     double *was = l->shift;
 
     supports_shift(s, l->scene, t, l->next);
     for (int h = 0; h < s->held_count; h++) {
         double v = (l->next[h] - was[h]) / l->dt;
-        double x = l->net->rest[s->held[h]] + l->next[h];
-        spring_sweep_hold(l->sweep, s->held[h] / 3, s->held[h] % 3,
-                          x + l->body.load->beta * v, v);
+        double x = l->net->mesh.rest[s->held[h]] + l->next[h];
+        spring_sweep_hold(l->sweep, s->held[h] / 3, s->held[h] % 3, x + l->net->beta * v,
+                          v);
     }
     l->shift = l->next, l->next = was;
 }
 
-void spring_leapfrog_place(struct spring_leapfrog *l, double t, const double *x)
+void spring_leapfrog_place(struct spring_leapfrog *l, double t)
 {
     l->frame = lround(t / l->scene->step);
-    supports_shift(l->body.supports, l->scene, t, l->shift);
+    supports_shift(&l->net->supports, l->scene, t, l->shift);
     memset(l->now, 0, count(l) * sizeof *l->now);
-    start(l, x, l->now);
+    start(l, l->net->x, l->now);
 }
 
 /* Gives a point's free components their place x and the velocity of their real way. */
@@ -297,8 +295,8 @@ static void move(struct spring_leapfrog *l, int node)
     for (int i = 0; i < 3; i++) {
         const int n = 3 * node + i;
         const double v = (l->x[n] - l->before[n]) / l->dt;
-        if (l->body.supports->free_index[n] >= 0)
-            spring_sweep_hold(l->sweep, node, i, l->x[n] + l->body.load->beta * v, v);
+        if (l->net->supports.free_index[n] >= 0)
+            spring_sweep_hold(l->sweep, node, i, l->x[n] + l->net->beta * v, v);
     }
 }
 
@@ -307,12 +305,12 @@ static void move(struct spring_leapfrog *l, int node)
 static enum status meet_bodies(struct spring_leapfrog *l, double t)
 {
     enum status st;
-    const struct contact *c = &l->contact->law;
+    const struct contact *c = &l->net->contact->law;
 
     spring_sweep_get(l->sweep, NULL, l->v);
     for (size_t n = 0; n < count(l); n++)
         l->x[n] = l->before[n] + l->dt * l->v[n];
-    TRY(net_contact_project(l->contact, t, l->before, l->x));
+    TRY(net_contact_project(l->net->contact, t, l->before, l->x));
     for (int k = 0; k < c->weights; k++)
         move(l, c->node[k]);
 out:
@@ -326,12 +324,12 @@ static enum status careful(struct spring_leapfrog *l)
 
     for (int n = 1; n <= l->substeps; n++) {
         double t = ((double)l->frame + (double)n / l->substeps) * l->scene->step;
-        if (l->contact)
+        if (l->net->contact)
             get(l, l->before, l->v);
         spring_sweep_run(l->sweep, l->dt, 1);
-        if (l->body.supports->moving)
+        if (l->net->supports.moving)
             hold(l, t);
-        if (l->contact)
+        if (l->net->contact)
             TRY(meet_bodies(l, t));
     }
 out:
@@ -357,23 +355,18 @@ static void watch(struct spring_leapfrog *l, const double *x)
 static void scale(struct spring_leapfrog *l, double factor, const double *x)
 {
     spring_leapfrog_velocity(l, l->now);
-    supports_damp(l->body.supports, factor, l->now);
+    supports_damp(&l->net->supports, factor, l->now);
     start(l, x, l->now);
 }
 
 /* Lets the sweep's origin follow the net at x. */
 static void follow(struct spring_leapfrog *l, const double *x)
 {
-    if (net_origin_stays(spring_sweep_origin(l->sweep), l->net->nodes, x))
+    if (net_origin_stays(spring_sweep_origin(l->sweep), l->net->mesh.nodes, x))
         return;
     spring_sweep_get(l->sweep, l->ahead, l->v);
     if (spring_sweep_follow(l->sweep, l->ahead, l->v))
         spring_sweep_set(l->sweep, (const double(*)[SWEEP_COUNT])l->c);
-}
-
-struct model_contact spring_leapfrog_contact(const struct spring_leapfrog *l)
-{
-    return net_contact_report(l->contact);
 }
 
 static bool all_finite(const double *x, size_t n)
@@ -386,13 +379,13 @@ static bool all_finite(const double *x, size_t n)
     return none == 0;
 }
 
-enum status spring_leapfrog_frame(struct spring_leapfrog *l, double *x,
-                                  struct counters *counters)
+enum status spring_leapfrog_frame(struct spring_leapfrog *l, struct counters *counters)
 {
     enum status st = STATUS_OK;
+    double *x = l->net->x;
 
-    net_contact_frame(l->contact);
-    if (l->contact || l->body.supports->moving)
+    net_contact_frame(l->net->contact);
+    if (l->net->contact || l->net->supports.moving)
         TRY(careful(l));
     else
         spring_sweep_run(l->sweep, l->dt, l->substeps);
@@ -402,8 +395,8 @@ enum status spring_leapfrog_frame(struct spring_leapfrog *l, double *x,
     get(l, x, l->v);
     if (!all_finite(x, count(l)))
         return STATUS_NAN;
-    if (l->body.load->keep != 1)
-        scale(l, l->body.load->keep, x);
+    if (l->net->keep != 1)
+        scale(l, l->net->keep, x);
     follow(l, x);
     watch(l, x);
 out:

@@ -12,39 +12,32 @@
 #ifndef SPRING_LEAPFROG_H
 #define SPRING_LEAPFROG_H
 
-#include "models/mechanics/supports.h"
-#include "models/net/net_contact.h"
-#include "models/net/spring_load.h"
+#include "models/net/net.h"
 #include "models/net/spring_stencil.h"
 #include "models/net/spring_sweep.h"
 
 /* The net to be moved; all borrowed, and must outlive it. */
 struct spring_body {
-    const struct spring_load *load; /* its scene, net, masses and forces                */
-    const struct supports *supports;
+    struct net *net;
     const struct spring_stencil *stencil;
     const struct spring_cells *cells; /* NULL: the stencil's springs; else in their place */
 };
 
 struct spring_leapfrog; /* opaque */
 
-/* Starts from x and v [nodes][3] at time 0. substeps: of a frame, 0: as many as are needed.
+/* Starts from the net's x and v at time 0. substeps: of a frame, 0: as many as are needed.
  * STATUS_INPUT with a sentence if they are more than a million. */
 enum status spring_leapfrog_make(const struct spring_body *body, enum precision precision,
-                                 int substeps, const double *x, const double *v,
-                                 struct spring_leapfrog **leapfrog, struct message *why);
+                                 int substeps, struct spring_leapfrog **leapfrog,
+                                 struct message *why);
 void spring_leapfrog_free(struct spring_leapfrog *l);
 
-/* Moves one frame, scene->step; then damps the velocity (spring_load.h). Positions go to
- * x[nodes][3]. STATUS_NAN, STATUS_MEMORY. */
-enum status spring_leapfrog_frame(struct spring_leapfrog *l, double *x,
-                                  struct counters *counters);
+/* Moves one frame, scene->step; then damps the velocity. Positions go to the net's x.
+ * STATUS_NAN, STATUS_MEMORY. */
+enum status spring_leapfrog_frame(struct spring_leapfrog *l, struct counters *counters);
 
-/* Returns the contact of the last frame (model.h). */
-struct model_contact spring_leapfrog_contact(const struct spring_leapfrog *l);
-
-/* Places the net at x[nodes][3] at time t [s], a whole number of frames, at rest. */
-void spring_leapfrog_place(struct spring_leapfrog *l, double t, const double *x);
+/* Notes that the net is at rest at its x at time t [s], a whole number of frames. */
+void spring_leapfrog_place(struct spring_leapfrog *l, double t);
 
 /* Computes the present velocities v[nodes][3]. */
 void spring_leapfrog_velocity(const struct spring_leapfrog *l, double *v);

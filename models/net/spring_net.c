@@ -1,6 +1,5 @@
 #include "models/net/spring_net.h"
 
-#include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -16,55 +15,23 @@ static const struct line {
 
 enum { LINE_COUNT = sizeof LINES / sizeof *LINES };
 
-int spring_net_beside(const struct spring_net *net, int i, int j, int di, int dj)
-{
-    const int row = i % net->rows + di, place = j + dj;
-
-    return row < 0 || place < 0 || row >= net->rows || place >= net->points[1]
-               ? -1
-               : (i + di) * net->points[1] + place;
-}
-
-bool spring_net_on_rim(const struct spring_net *net, int i, int j, int along)
-{
-    const int at = along ? i % net->rows : j;
-
-    return at == 0 || at == (along ? net->rows : net->points[1]) - 1;
-}
-
 /* Returns the node `count` steps along the line from (i, j), -1 beyond the rim. */
 static int along(const struct spring_net *net, int i, int j, const struct line *line,
                  int count)
 {
-    return spring_net_beside(net, i, j, count * line->di, count * line->dj);
+    return mesh_beside(net->mesh, i, j, count * line->di, count * line->dj);
 }
 
 /* Tells whether the line is on the rim, where it belongs to one row of cells only. */
 static bool on_rim(const struct spring_net *net, int i, int j, const struct line *line)
 {
-    return (line->direction == SPRING_U && spring_net_on_rim(net, i, j, 0)) ||
-           (line->direction == SPRING_V && spring_net_on_rim(net, i, j, 1));
-}
-
-static void set_nodes(struct spring_net *net, const struct scene *scene)
-{
-    int n = net->rows, m = net->points[1];
-
-    for (int a = 0; a < net->nodes; a++) {
-        int i = a / m, j = a % m;
-        double share = (spring_net_on_rim(net, i, j, 1) ? 0.5 : 1) *
-                       (spring_net_on_rim(net, i, j, 0) ? 0.5 : 1);
-        net->uvw[a][0] = scene_sheet_u(scene, i / n, (double)(i % n) / (n - 1));
-        net->uvw[a][1] = (double)j / (m - 1);
-        net->uvw[a][2] = 0.5;
-        scene_rest_point(scene, net->uvw[a], net->rest + 3 * (size_t)a);
-        net->area[a] = share * net->cell[0] * net->cell[1];
-    }
+    return (line->direction == SPRING_U && mesh_on_rim(net->mesh, i, j, 0)) ||
+           (line->direction == SPRING_V && mesh_on_rim(net->mesh, i, j, 1));
 }
 
 static void add_springs(struct spring_net *net, int i, int j)
 {
-    int a = i * net->points[1] + j;
+    int a = i * net->mesh->points[1] + j;
     double e[3];
 
     for (int n = 0; n < LINE_COUNT; n++) {
@@ -74,7 +41,7 @@ static void add_springs(struct spring_net *net, int i, int j)
                    (on_rim(net, i, j, line) ? net->law.rim : 1);
         if (b < 0 || k == 0)
             continue;
-        vector_between(net->rest + 3 * (size_t)a, net->rest + 3 * (size_t)b, e);
+        vector_between(net->mesh->rest + 3 * (size_t)a, net->mesh->rest + 3 * (size_t)b, e);
         net->springs[net->spring_count++] =
             (struct spring){.a = a, .b = b, .stiffness = k, .length = vector_length(e)};
     }
@@ -84,15 +51,15 @@ static void add_clamp(struct spring_net *net, int a, int b, double strut)
 {
     struct clamp clamp = {.a = a, .b = b, .strut = 2 * strut};
 
-    if (b < 0 || net->clamped[b] || strut == 0)
+    if (b < 0 || net->mesh->clamped[b] || strut == 0)
         return;
-    vector_between(net->rest + 3 * a, net->rest + 3 * b, clamp.edge);
+    vector_between(net->mesh->rest + 3 * a, net->mesh->rest + 3 * b, clamp.edge);
     net->clamps[net->clamp_count++] = clamp;
 }
 
 static void add_hinges(struct spring_net *net, int i, int j)
 {
-    int b = i * net->points[1] + j;
+    int b = i * net->mesh->points[1] + j;
 
     for (int n = 0; n < LINE_COUNT; n++) {
         const struct line *line = &LINES[n];
@@ -100,7 +67,7 @@ static void add_hinges(struct spring_net *net, int i, int j)
         bool rim = on_rim(net, i, j, line);
         double whole = net->law.strut[line->direction];
         double strut = rim ? net->law.rim_strut[line->direction] : whole;
-        if (net->clamped[b]) {
+        if (net->mesh->clamped[b]) {
             add_clamp(net, b, a, rim ? net->law.rim * whole : whole);
             add_clamp(net, b, c, rim ? net->law.rim * whole : whole);
         } else if (a >= 0 && c >= 0 && strut > 0) {
@@ -110,29 +77,10 @@ static void add_hinges(struct spring_net *net, int i, int j)
     }
 }
 
-/* The round-off of a node's parameter. */
-static const double ROUNDING = 1e-12;
-
-/* Marks nodes of columns that are held whole and in all components. */
-static void find_clamped(struct spring_net *net, const struct scene *scene)
-{
-    for (int n = 0; n < scene->support_count; n++) {
-        const struct scene_support *s = &scene->supports[n];
-        if (s->fix != FIX_XYZ || s->lo[2] > 0 || s->hi[2] < 1)
-            continue;
-        for (int a = 0; a < net->nodes; a++) {
-            const double *at = net->uvw[a];
-            net->clamped[a] |= at[0] >= s->lo[0] - ROUNDING &&
-                               at[0] <= s->hi[0] + ROUNDING &&
-                               at[1] >= s->lo[1] - ROUNDING && at[1] <= s->hi[1] + ROUNDING;
-        }
-    }
-}
-
 /* Adds the graph's elements at a node: every two and every three in line. */
 static int *add_lines(const struct spring_net *net, int i, int j, int *next)
 {
-    int b = i * net->points[1] + j;
+    int b = i * net->mesh->points[1] + j;
 
     for (int n = 0; n < LINE_COUNT; n++) {
         int a = along(net, i, j, &LINES[n], -1), c = along(net, i, j, &LINES[n], 1);
@@ -148,7 +96,7 @@ static int *add_lines(const struct spring_net *net, int i, int j, int *next)
 static enum status make_graph(struct spring_net *net, bool whole)
 {
     size_t elements = (size_t)net->spring_count + (size_t)net->hinge_count +
-                      (whole ? LINE_COUNT * (size_t)net->nodes : 0);
+                      (whole ? LINE_COUNT * (size_t)net->mesh->nodes : 0);
     int *ien = malloc((3 * elements + 1) * sizeof *ien), *next = ien;
     enum status st = STATUS_MEMORY;
 
@@ -162,9 +110,9 @@ static enum status make_graph(struct spring_net *net, bool whole)
         const struct hinge *h = &net->hinges[n];
         next[0] = h->a, next[1] = h->b, next[2] = h->c;
     }
-    for (int a = 0; whole && a < net->nodes; a++)
-        next = add_lines(net, a / net->points[1], a % net->points[1], next);
-    TRY(blocks_init(&net->graph, net->nodes, (int)((next - ien) / 3), 3, ien));
+    for (int a = 0; whole && a < net->mesh->nodes; a++)
+        next = add_lines(net, a / net->mesh->points[1], a % net->mesh->points[1], next);
+    TRY(blocks_init(&net->graph, net->mesh->nodes, (int)((next - ien) / 3), 3, ien));
 out:
     free(ien);
     return st;
@@ -190,23 +138,13 @@ static void find_pairs(struct spring_net *net)
         net->clamps[n].bb = g->start[net->clamps[n].b];
 }
 
-static enum status allocate(struct spring_net *net)
-{
-    size_t nodes = (size_t)net->nodes;
-
-    return room_cut(&net->room, ROOM(net->uvw, nodes), ROOM(net->rest, 3 * nodes),
-                    ROOM(net->area, nodes), ROOM(net->clamped, nodes),
-                    ROOM(net->springs, LINE_COUNT * nodes),
-                    ROOM(net->hinges, LINE_COUNT * nodes));
-}
-
 /* Allocates the clamps, of which most nets have few. */
 static enum status allocate_clamps(struct spring_net *net)
 {
     size_t count = 1;
 
-    for (int a = 0; a < net->nodes; a++)
-        count += 2 * LINE_COUNT * net->clamped[a];
+    for (int a = 0; a < net->mesh->nodes; a++)
+        count += 2 * LINE_COUNT * net->mesh->clamped[a];
     net->clamps = malloc(count * sizeof *net->clamps);
     return net->clamps ? STATUS_OK : STATUS_MEMORY;
 }
@@ -220,25 +158,19 @@ void spring_net_clear(struct spring_net *net)
 }
 
 enum status spring_net_init(struct spring_net *net, const struct scene *scene,
-                            const int points[2], enum parameters parameters, bool whole)
+                            const struct mesh *mesh, enum parameters parameters, bool whole)
 {
     enum status st;
-    const int sheets = scene_sheets(scene);
-    struct spring_net new = {
-        .points = {sheets * points[0], points[1]},
-        .rows = points[0],
-        .nodes = sheets * points[0] * points[1],
-        .cell = {scene->length / (points[0] - 1), scene->width / (points[1] - 1)}};
+    const int m = mesh->points[1];
+    struct spring_net new = {.mesh = mesh};
 
-    assert(points[0] >= 2 && points[1] >= 2);
-    TRY(allocate(&new));
-    spring_law_make(scene, parameters, new.cell, &new.law);
-    set_nodes(&new, scene);
-    find_clamped(&new, scene);
+    TRY(room_cut(&new.room, ROOM(new.springs, LINE_COUNT * mesh->nodes),
+                 ROOM(new.hinges, LINE_COUNT * mesh->nodes)));
+    spring_law_make(scene, parameters, mesh->cell, &new.law);
     TRY(allocate_clamps(&new));
-    for (int a = 0; a < new.nodes; a++) {
-        add_springs(&new, a / points[1], a % points[1]);
-        add_hinges(&new, a / points[1], a % points[1]);
+    for (int a = 0; a < mesh->nodes; a++) {
+        add_springs(&new, a / m, a % m);
+        add_hinges(&new, a / m, a % m);
     }
     TRY(make_graph(&new, whole));
     find_pairs(&new);
@@ -246,4 +178,16 @@ enum status spring_net_init(struct spring_net *net, const struct scene *scene,
 out:
     spring_net_clear(&new);
     return st;
+}
+
+double spring_net_energy(const struct spring_net *net, const double *x)
+{
+    double sum = 0, e[3];
+
+    for (const struct spring *s = net->springs; s < net->springs + net->spring_count; s++) {
+        vector_between(x + 3 * (size_t)s->a, x + 3 * (size_t)s->b, e);
+        const double more = vector_length(e) - s->length;
+        sum += s->stiffness * more * more / 2;
+    }
+    return sum;
 }

@@ -1,7 +1,4 @@
-/* spring_net.h - a net of n x m point masses over the mid-surface of each sheet, node i m +
- * j of the first at (u,v) = (i/(n-1), j/(m-1)), with its springs and hinges (spring_law.h).
- * The rows of several sheets follow each other, and nothing connects the last row of one
- * with the first of the next.
+/* spring_net.h - the springs and hinges of a grid (mesh.h, spring_law.h).
  *
  * A hinge is three nodes in line with a strut from the first to the last. A point has no
  * rotation, so that holding it does not clamp the sheet there; but a solid's column, held
@@ -14,8 +11,9 @@
 #ifndef SPRING_NET_H
 #define SPRING_NET_H
 
-#include "models/net/spring_law.h"
 #include "models/linalg/blocks.h"
+#include "models/mesh/mesh.h"
+#include "models/net/spring_law.h"
 
 struct spring {
     int a, b;         /* a < b                                             */
@@ -38,16 +36,9 @@ struct clamp {
 };
 
 struct spring_net {
-    int points[2]; /* rows of all sheets, points of a row                   */
-    int rows;      /* of one sheet                                          */
-    int nodes;
-    double cell[2]; /* a_u, a_v                                    [m]   */
+    const struct mesh *mesh; /*                                               borrowed */
     struct spring_law law;
-    void *room;       /* memory of the arrays                        owned   */
-    double (*uvw)[3]; /* [nodes] material parameters, w = 1/2              */
-    double *rest;     /* [nodes][3]                          [m]           */
-    double *area;     /* [nodes] of the sheet that is theirs [m^2]         */
-    bool *clamped;    /* [nodes] of held columns that cannot turn          */
+    void *room; /* memory of springs and hinges                               owned   */
     int spring_count, hinge_count, clamp_count;
     struct spring *springs;
     struct hinge *hinges;
@@ -55,16 +46,14 @@ struct spring_net {
     struct blocks graph;
 };
 
-/* Makes a net; points: n, m >= 2 of a sheet. whole: the graph has all couplings of
- * spring_stencil.h, also where long cells have no spring. */
+/* Makes the springs of a mesh, which must stay where it is. whole: the graph has all
+ * couplings of spring_stencil.h, also where long cells have no spring. */
 enum status spring_net_init(struct spring_net *net, const struct scene *scene,
-                            const int points[2], enum parameters parameters, bool whole);
+                            const struct mesh *mesh, enum parameters parameters,
+                            bool whole);
 void spring_net_clear(struct spring_net *net);
 
-/* Returns the node di rows and dj places from (i, j), or -1 beyond the rim of its sheet. */
-int spring_net_beside(const struct spring_net *net, int i, int j, int di, int dj);
-
-/* Tells whether the node (i, j) lies on a rim of its sheet along u (0) or v (1). */
-bool spring_net_on_rim(const struct spring_net *net, int i, int j, int along);
+/* Returns the elastic energy of the springs, without hinges and clamps [J]. */
+double spring_net_energy(const struct spring_net *net, const double *x);
 
 #endif

@@ -6,7 +6,7 @@
 enum { FORMS = 5 };
 
 struct plate {
-    const struct spring_net *net;
+    const struct mesh *net;
     double stiffness[2]; /* B along u and v                                    [N m]   */
     double twist;        /* B66, less what bending has of it                   [N m]   */
     double skew[2];      /* s_u, s_v of spring_plate.h                                 */
@@ -29,9 +29,9 @@ static void add_clamps(struct plate *p, int i, int j, int along, double stiffnes
 /* Adds bending at a point along one direction; `both`: there is the other, too. */
 static void add_line(struct plate *p, int i, int j, int along, bool both)
 {
-    const struct spring_net *net = p->net;
+    const struct mesh *net = p->net;
     int at = i * net->points[1] + j, step = along == 0 ? net->points[1] : 1;
-    bool rim = spring_net_on_rim(net, i, j, along);
+    bool rim = mesh_on_rim(net, i, j, along);
     double a = net->cell[along], strip = net->cell[1 - along] * (rim ? 0.5 : 1);
     double nu = p->poisson, B = p->stiffness[along] * (rim ? 1 - nu * nu : 1) * strip;
 
@@ -84,7 +84,7 @@ static void add_mean(struct plate *p, int i, int j)
 
 static void add_twist(struct plate *p, int i, int j)
 {
-    const struct spring_net *net = p->net;
+    const struct mesh *net = p->net;
     const int m = net->points[1];
     const struct spring_form form = {.kind = SPRING_PLATE_TWIST,
                                      .count = 4,
@@ -93,7 +93,7 @@ static void add_twist(struct plate *p, int i, int j)
                                      .stiffness =
                                          4 * p->twist / (net->cell[0] * net->cell[1])};
 
-    if (spring_net_beside(net, i, j, 1, 1) >= 0)
+    if (mesh_beside(net, i, j, 1, 1) >= 0)
         spring_forms_add(p->forms, i * m + j, &form);
 }
 
@@ -116,12 +116,12 @@ static void use_sheet(struct plate *p, const struct scene *scene, int sheet)
     }
 }
 
-enum status spring_plate_make(const struct scene *scene, const struct spring_net *net,
-                              struct spring_forms *forms)
+enum status spring_plate_make(const struct scene *scene, const struct mesh *net,
+                              enum parameters parameters, struct spring_forms *forms)
 {
     struct plate p = {.net = net, .forms = forms};
     const int each = net->rows * net->points[1];
-    const bool bends = net->hinge_count || net->clamp_count;
+    const bool bends = parameters != PARAMETERS_PAPER && mesh_bends(net);
 
     if (spring_forms_init(forms, FORMS * (size_t)net->nodes) != STATUS_OK)
         return STATUS_MEMORY;

@@ -32,6 +32,7 @@
 #ifndef SPRING_PLATE_H
 #define SPRING_PLATE_H
 
+#include "models/discretization.h"
 #include "models/net/spring_form.h"
 
 enum spring_plate_kind {
@@ -42,10 +43,10 @@ enum spring_plate_kind {
     SPRING_PLATE_CLAMP  /* kappa a^2: the held point, its neighbour, the next           */
 };
 
-/* Makes all forms of a net, of the energy stiffness |value|^2 / 2; none if its law has no
- * bending. Owned by the caller. */
-enum status spring_plate_make(const struct scene *scene, const struct spring_net *net,
-                              struct spring_forms *forms);
+/* Makes all forms of a net, of the energy stiffness |value|^2 / 2; none of the paper's.
+ * Owned by the caller. */
+enum status spring_plate_make(const struct scene *scene, const struct mesh *net,
+                              enum parameters parameters, struct spring_forms *forms);
 
 /* Computes the weights of SPRING_PLATE_MEAN: of neighbours along u and along v. */
 void spring_plate_mean(const struct scene *scene, const double cell[2], double weight[2]);

@@ -13,12 +13,12 @@ const int spring_stencil_step[SPRING_STENCIL_ALL][2] = {{-1, -1}, {-1, 0}, {-1, 
                                                         {0, 1},   {1, -1}, {1, 0},  {1, 1},
                                                         {-2, 0},  {0, -2}, {0, 2},  {2, 0}};
 
-int spring_stencil_node(const struct spring_net *net, int node, int neighbour)
+int spring_stencil_node(const struct mesh *mesh, int node, int neighbour)
 {
     const int *step = spring_stencil_step[neighbour];
 
-    return spring_net_beside(net, node / net->points[1], node % net->points[1], step[0],
-                             step[1]);
+    return mesh_beside(mesh, node / mesh->points[1], node % mesh->points[1], step[0],
+                       step[1]);
 }
 
 /* Returns which neighbour lies di rows and dj places away. */
@@ -36,22 +36,36 @@ static int place_at(int di, int dj)
 }
 
 /* Returns which neighbour of a is b. */
-static int place_of(const struct spring_net *net, int a, int b)
+static int place_of(const struct mesh *mesh, int a, int b)
 {
-    const int m = net->points[1];
+    const int m = mesh->points[1];
 
     return place_at(b / m - a / m, b % m - a % m);
 }
 
+/* Sets the squares of edges at rest: of each direction the last one's. */
+static void set_squares(struct spring_stencil *s)
+{
+    double edge[3];
+
+    for (int a = 0; a < s->mesh->nodes; a++)
+        for (int n = 0; n < SPRING_STENCIL_NEAR; n++) {
+            const int b = spring_stencil_node(s->mesh, a, n);
+            if (b < a)
+                continue;
+            vector_between(s->mesh->rest + 3 * a, s->mesh->rest + 3 * b, edge);
+            const double length = vector_length(edge);
+            s->square[n] = s->square[place_of(s->mesh, b, a)] = length * length;
+        }
+}
+
 static void set_springs(struct spring_stencil *s)
 {
-    for (int n = 0; n < s->net->spring_count; n++) {
-        const struct spring *spring = &s->net->springs[n];
-        int ab = place_of(s->net, spring->a, spring->b);
-        int ba = place_of(s->net, spring->b, spring->a);
-        double r2 = spring->length * spring->length;
-        s->square[ab] = s->square[ba] = r2;
-        s->spring[spring->a][ab] = s->spring[spring->b][ba] = spring->stiffness / (2 * r2);
+    for (int n = 0; s->springs && n < s->springs->spring_count; n++) {
+        const struct spring *spring = &s->springs->springs[n];
+        const double k = spring->stiffness / (2 * (spring->length * spring->length));
+        s->spring[spring->a][place_of(s->mesh, spring->a, spring->b)] = k;
+        s->spring[spring->b][place_of(s->mesh, spring->b, spring->a)] = k;
     }
 }
 
@@ -63,7 +77,7 @@ static void add_forms(struct spring_stencil *s, const struct spring_forms *forms
         int node[SPRING_FORM_POINTS], row[SPRING_FORM_POINTS], column[SPRING_FORM_POINTS];
         for (int m = 0; m < form->count; m++) {
             node[m] = forms->place[k].at + form->step[m];
-            row[m] = node[m] / s->net->points[1], column[m] = node[m] % s->net->points[1];
+            row[m] = node[m] / s->mesh->points[1], column[m] = node[m] % s->mesh->points[1];
         }
         for (int m = 0; m < form->count; m++) {
             const int a = node[m];
@@ -86,32 +100,21 @@ void spring_stencil_clear(struct spring_stencil *s)
 }
 
 enum status spring_stencil_init(struct spring_stencil *s, const struct scene *scene,
-                                const struct spring_net *net)
+                                const struct mesh *mesh, const struct spring_net *springs,
+                                const struct spring_forms *forms)
 {
     enum status st;
-    size_t nodes = (size_t)net->nodes;
-    struct spring_forms forms = {0};
+    size_t nodes = (size_t)mesh->nodes;
 
-    *s = (struct spring_stencil){.net = net};
+    *s = (struct spring_stencil){.mesh = mesh, .springs = springs};
     TRY(room_cut(&s->room, ROOM(s->spring, nodes), ROOM(s->bend, nodes),
                  ROOM(s->clamp, nodes)));
+    set_squares(s);
     set_springs(s);
-    TRY(spring_soft_init(&s->soft, scene, net));
-    TRY(spring_plate_make(scene, net, &forms));
-    add_forms(s, &forms);
-out:
-    spring_forms_clear(&forms);
-    return st;
-}
-
-void spring_stencil_replace(struct spring_stencil *s, const struct spring_forms *forms)
-{
-    size_t nodes = (size_t)s->net->nodes;
-
-    memset(s->spring, 0, nodes * sizeof *s->spring);
-    memset(s->bend, 0, nodes * sizeof *s->bend);
-    memset(s->clamp, 0, nodes * sizeof *s->clamp);
+    TRY(spring_soft_init(&s->soft, scene, mesh));
     add_forms(s, forms);
+out:
+    return st;
 }
 
 static double square_of_edge(const double *x, int a, int b, double edge[3])
@@ -139,13 +142,13 @@ double spring_stencil_energy(const struct spring_stencil *s, const double *x)
 {
     double energy = 0, edge[3], rest[3];
 
-    for (int a = 0; a < s->net->nodes; a++)
+    for (int a = 0; a < s->mesh->nodes; a++)
         for (int n = 0; n < SPRING_STENCIL_ALL; n++) {
-            int b = spring_stencil_node(s->net, a, n);
+            int b = spring_stencil_node(s->mesh, a, n);
             if (b < a)
                 continue;
             double q = square_of_edge(x, a, b, edge), moved = 0;
-            square_of_edge(s->net->rest, a, b, rest);
+            square_of_edge(s->mesh->rest, a, b, rest);
             for (int c = 0; c < 3; c++)
                 moved += (edge[c] - rest[c]) * (edge[c] - rest[c]);
             energy += strain_of(s, a, n, q).energy + s->bend[a][n] * moved / 2;
@@ -159,7 +162,7 @@ double spring_stencil_energy(const struct spring_stencil *s, const double *x)
 
 double spring_stencil_stretch2(const struct spring_stencil *s, const double *x)
 {
-    int n = s->net->points[0], m = s->net->points[1], rows = s->net->rows;
+    int n = s->mesh->points[0], m = s->mesh->points[1], rows = s->mesh->rows;
     double most = 1;
 
     for (int k = SPRING_STENCIL_NEAR / 2; k < SPRING_STENCIL_NEAR; k++) {
@@ -199,16 +202,16 @@ void spring_stencil_force_add(const struct spring_stencil *s, const double *x, d
 {
     double edge[3];
 
-    for (int a = 0; a < s->net->nodes; a++)
+    for (int a = 0; a < s->mesh->nodes; a++)
         for (int n = 0; n < SPRING_STENCIL_ALL; n++) {
-            int b = spring_stencil_node(s->net, a, n);
+            int b = spring_stencil_node(s->mesh, a, n);
             if (b < 0)
                 continue;
             double pull = strain_of(s, a, n, square_of_edge(x, a, b, edge)).pull;
             for (int c = 0; c < 3; c++)
                 f[3 * a + c] += (s->bend[a][n] + pull) * edge[c];
         }
-    for (int t = 0; t < 3 * s->net->nodes; t++)
+    for (int t = 0; t < 3 * s->mesh->nodes; t++)
         f[t] += s->clamp[t / 3][t % 3];
     for (int k = 0; k < s->soft.forms.count; k++) {
         spring_form_value(&s->soft.forms, k, x, edge);
@@ -219,13 +222,13 @@ void spring_stencil_force_add(const struct spring_stencil *s, const double *x, d
 void spring_stencil_jacobian(const struct spring_stencil *s, const double *x, bool clamped,
                              double (*K)[9])
 {
-    const struct blocks *graph = &s->net->graph;
+    const struct blocks *graph = &s->springs->graph;
     double edge[3], block[9];
 
-    memset(K, 0, (size_t)graph->start[s->net->nodes] * sizeof *K);
-    for (int a = 0; a < s->net->nodes; a++)
+    memset(K, 0, (size_t)graph->start[graph->nodes] * sizeof *K);
+    for (int a = 0; a < s->mesh->nodes; a++)
         for (int n = 0; n < SPRING_STENCIL_ALL; n++) {
-            int b = spring_stencil_node(s->net, a, n);
+            int b = spring_stencil_node(s->mesh, a, n);
             if (b < a)
                 continue;
             const struct strain e = strain_of(s, a, n, square_of_edge(x, a, b, edge));

@@ -9,8 +9,8 @@
 #ifndef SPRING_STENCIL_H
 #define SPRING_STENCIL_H
 
+#include "models/net/spring_net.h"
 #include "models/net/spring_plate.h"
-#include "models/net/spring_form.h"
 
 enum { SPRING_STENCIL_NEAR = 8, SPRING_STENCIL_ALL = 12 };
 
@@ -18,27 +18,26 @@ enum { SPRING_STENCIL_NEAR = 8, SPRING_STENCIL_ALL = 12 };
 extern const int spring_stencil_step[SPRING_STENCIL_ALL][2];
 
 struct spring_stencil {
-    const struct spring_net *net; /* borrowed                                          */
-    void *room;                   /* memory of the arrays                      owned   */
+    const struct mesh *mesh;          /* borrowed                                      */
+    const struct spring_net *springs; /* or NULL                              borrowed */
+    void *room; /* memory of the arrays                      owned   */
     double (*spring)[SPRING_STENCIL_ALL]; /* [nodes] k / 2 r^2; 0: none [N/m^3]  */
-    double square[SPRING_STENCIL_ALL]; /* r^2                                      [m^2]  */
+    double square[SPRING_STENCIL_ALL]; /* r^2 of edges                             [m^2]  */
     double (*bend)[SPRING_STENCIL_ALL]; /* [nodes] force towards a neighbour, per metre of
                                     edge                                     [N/m]    */
     double (*clamp)[3];      /* [nodes] constant force of clamps          [N]     */
     struct spring_soft soft; /* explicit steps do not know it                 owned  */
 };
 
-/* Initialises, after spring_net_init; `net` must stay where it is. No bending where its law
- * has none. */
+/* Initialises with the springs of a mesh, or NULL, and these forms. Springs and mesh must
+ * stay where they are. */
 enum status spring_stencil_init(struct spring_stencil *s, const struct scene *scene,
-                                const struct spring_net *net);
+                                const struct mesh *mesh, const struct spring_net *springs,
+                                const struct spring_forms *forms);
 void spring_stencil_clear(struct spring_stencil *s);
 
-/* Puts these forms in place of all bending, without springs; their `square` stays. */
-void spring_stencil_replace(struct spring_stencil *s, const struct spring_forms *forms);
-
 /* Returns the neighbour's node, or -1 beyond the rim. */
-int spring_stencil_node(const struct spring_net *net, int node, int neighbour);
+int spring_stencil_node(const struct mesh *mesh, int node, int neighbour);
 
 /* Returns elastic energy at x[nodes][3] [J], zero at rest up to round-off. */
 double spring_stencil_energy(const struct spring_stencil *s, const double *x);
@@ -46,13 +45,13 @@ double spring_stencil_energy(const struct spring_stencil *s, const double *x);
 /* Subtracts its derivative [N] from f[nodes][3]. */
 void spring_stencil_force_add(const struct spring_stencil *s, const double *x, double *f);
 
-/* Computes its second derivative at x, K[pairs of net->graph][9] [N/m], without pairs with
- * held points that the graph leaves out. clamped: springs under pressure do not push aside,
- * and K is positive semi-definite. */
+/* Computes its second derivative at x, K[pairs of springs->graph][9] [N/m], without pairs
+ * with held points that the graph leaves out. clamped: springs under pressure do not push
+ * aside, and K is positive semi-definite. */
 void spring_stencil_jacobian(const struct spring_stencil *s, const double *x, bool clamped,
                              double (*K)[9]);
 
-/* Returns the largest (l/r)^2 of a spring at x[nodes][3] [1]. */
+/* Returns the largest (l/r)^2 of an edge at x[nodes][3] [1]. */
 double spring_stencil_stretch2(const struct spring_stencil *s, const double *x);
 
 #endif

@@ -14,19 +14,19 @@ static void check_single(double step, double heavy)
 {
     /* Newton's tolerance is on what its last two steps let expect, not on what is left. */
     static const double EXPECTED = 2;
-    struct net s;
+    struct springs s;
     double off = 0;
 
-    net_init(&s, 24, 24, false);
+    springs_init(&s, 24, 24, false);
     s.scene.step = step;
     s.scene.young *= heavy, s.scene.density *= heavy;
-    net_start(&s);
-    net_steps(&s, 1);
-    for (int t = 0; t < 3 * s.m.net.nodes; t++)
-        off = fmax(off,
-                   fabs(s.m.x[t] - s.m.net.rest[t] - step * step * s.scene.gravity[t % 3]));
+    springs_start(&s);
+    springs_steps(&s, 1);
+    for (int t = 0; t < 3 * s.m.net.mesh.nodes; t++)
+        off = fmax(off, fabs(s.m.net.x[t] - s.m.net.mesh.rest[t] -
+                             step * step * s.scene.gravity[t % 3]));
     CHECK_NEAR(off, 0, EXPECTED * s.m.limits.tolerance);
-    net_clear(&s);
+    springs_clear(&s);
 }
 
 /* Energy never grows under implicit Euler, whatever the damping, and falls to that of rest.
@@ -34,16 +34,16 @@ static void check_single(double step, double heavy)
 static void check_decay(enum parameters parameters, struct scene_damping damping)
 {
     enum { STEPS = 400 };
-    struct net s;
+    struct springs s;
     struct energy e;
     double before = 0, gain = 0, first = 0;
 
-    net_init(&s, 6, 5, true);
+    springs_init(&s, 6, 5, true);
     s.scene.damping = damping;
     s.d.parameters = parameters, s.d.tolerance = 1e-9;
-    net_start(&s);
+    springs_start(&s);
     for (int n = 0; n < STEPS; n++) {
-        net_steps(&s, 1);
+        springs_steps(&s, 1);
         spring_motion_energy(&s.m, &e);
         double total = e.kinetic + e.elastic + e.potential;
         gain = fmax(gain, total - before);
@@ -54,13 +54,13 @@ static void check_decay(enum parameters parameters, struct scene_damping damping
     const double solved = 1e-7;
     CHECK_NEAR(fmax(gain, 0) / first, 0, solved);
     CHECK(before < -0.1 * first);
-    net_clear(&s);
+    springs_clear(&s);
 }
 
 /* corners_drop as in the paper's Fig. 6: largest elongation of a spring over the fall. */
 static double largest_elongation(enum parameters parameters, double limit)
 {
-    struct net s = {.d = net_of(10, 10)};
+    struct springs s = {.d = net_of(10, 10)};
     struct message why = {{0}};
     double most = 0;
 
@@ -68,12 +68,12 @@ static double largest_elongation(enum parameters parameters, double limit)
                             &s.scene, &s.d, &why) == STATUS_OK);
     s.d.parameters = parameters;
     OWN(spring_own, &s.d)->strain_limit = limit;
-    net_start(&s);
+    springs_start(&s);
     for (int n = 0; n < 300; n++) {
-        net_steps(&s, 1);
-        most = fmax(most, net_strain(&s));
+        springs_steps(&s, 1);
+        most = fmax(most, springs_strain(&s));
     }
-    net_clear(&s);
+    springs_clear(&s);
     return most;
 }
 
@@ -81,22 +81,22 @@ static double largest_elongation(enum parameters parameters, double limit)
 static void check_strain_centre(void)
 {
     const double rounding = 1e-12; /* some thousand moves of points within 1 m */
-    struct net s;
+    struct springs s;
     double centre[3] = {0}, rest[3] = {0};
 
-    net_init(&s, 6, 5, false);
-    net_start(&s);
-    for (int t = 0; t < 3 * s.m.net.nodes; t++) {
-        s.m.x[t] *= 1.3 + 0.1 * noise(t);
-        rest[t % 3] += s.m.x[t];
+    springs_init(&s, 6, 5, false);
+    springs_start(&s);
+    for (int t = 0; t < 3 * s.m.net.mesh.nodes; t++) {
+        s.m.net.x[t] *= 1.3 + 0.1 * noise(t);
+        rest[t % 3] += s.m.net.x[t];
     }
-    spring_motion_limit(&s.m.net, &s.m.newton.supports, 0.1, s.m.x);
-    for (int t = 0; t < 3 * s.m.net.nodes; t++)
-        centre[t % 3] += s.m.x[t];
-    CHECK(net_strain(&s) <= 0.1 * 1.001);
+    spring_motion_limit(&s.m.springs, &s.m.net.supports, 0.1, s.m.net.x);
+    for (int t = 0; t < 3 * s.m.net.mesh.nodes; t++)
+        centre[t % 3] += s.m.net.x[t];
+    CHECK(springs_strain(&s) <= 0.1 * 1.001);
     for (int i = 0; i < 3; i++)
         CHECK_NEAR(centre[i], rest[i], rounding);
-    net_clear(&s);
+    springs_clear(&s);
 }
 
 static void check_strain_limit(void)
@@ -119,20 +119,20 @@ static void check_strain_limit(void)
 static void check_guess(bool once, int power)
 {
     enum { STEPS = 12 };
-    struct net s;
+    struct springs s;
 
-    net_init(&s, 5, 4, once);
+    springs_init(&s, 5, 4, once);
     s.d.iterations = once;
-    net_start(&s);
+    springs_start(&s);
     for (int n = 1; n <= STEPS; n++) {
-        net_steps(&s, 1);
-        for (int t = 0; t < 3 * s.m.net.nodes; t++)
-            s.m.points.load[t] *= pow((n + 1.0) / n, power);
+        springs_steps(&s, 1);
+        for (int t = 0; t < 3 * s.m.net.mesh.nodes; t++)
+            s.m.net.load[t] *= pow((n + 1.0) / n, power);
     }
     CHECK(s.counters.iterations >= STEPS &&
           s.counters.iterations <= STEPS + (once ? 0 : power + 1));
     CHECK(s.counters.factorisations <= STEPS);
-    net_clear(&s);
+    springs_clear(&s);
 }
 
 int main(void)

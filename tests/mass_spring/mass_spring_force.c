@@ -6,8 +6,8 @@
  * to a right one, no edge near zero. */
 static void crumple(const struct spring_motion *m, double part, double *x)
 {
-    for (int t = 0; t < 3 * m->net.nodes; t++)
-        x[t] = m->net.rest[t] + part * m->net.cell[0] * noise(t);
+    for (int t = 0; t < 3 * m->net.mesh.nodes; t++)
+        x[t] = m->net.mesh.rest[t] + part * m->net.mesh.cell[0] * noise(t);
 }
 
 /* Along a direction d the force is -dE/dx and the Jacobian dF/dx, as h shrinks: the error
@@ -17,20 +17,20 @@ static void check_derivatives(enum parameters parameters)
     /* truncation h^2 against round-off eps / h meet at eps^(2/3) = 4e-11; times a sum of
      * terms of curvature 1 / (edge / 2)^2 */
     const double swept = 1e-8;
-    struct net s;
+    struct springs s;
     double best_force = INFINITY, best_jacobian = INFINITY;
 
-    net_init(&s, 6, 5, true);
+    springs_init(&s, 6, 5, true);
     s.d.parameters = parameters;
-    net_start(&s);
-    const struct spring_net *net = &s.m.net;
-    const size_t count = 3 * (size_t)net->nodes;
+    springs_start(&s);
+    const struct spring_net *net = &s.m.springs;
+    const size_t count = 3 * (size_t)net->mesh->nodes;
     double *x = calloc(7 * count, sizeof *x), *y = x + count, *f = y + count,
            *side[2] = {f + count, f + 2 * count}, *dir = f + 3 * count, *Kd = f + 4 * count;
     REQUIRE(x);
     crumple(&s.m, 0.25, x);
     for (size_t t = 0; t < count; t++) /* held points stay: a clamp knows nothing else */
-        dir[t] = s.m.newton.supports.free_index[t] < 0 ? 0 : noise(7 * t + 3);
+        dir[t] = s.m.net.supports.free_index[t] < 0 ? 0 : noise(7 * t + 3);
     spring_force_add(net, x, f);
     spring_force_jacobian(net, x, s.m.newton.K);
     blocks_multiply(&net->graph, (const double(*)[9])s.m.newton.K, dir, Kd);
@@ -41,7 +41,7 @@ static void check_derivatives(enum parameters parameters)
         if (dir[t] != 0)
             K_size = fmax(K_size, fabs(Kd[t]));
     }
-    for (double h = 1e-3 * net->cell[0]; h > 1e-8 * net->cell[0]; h /= 4) {
+    for (double h = 1e-3 * net->mesh->cell[0]; h > 1e-8 * net->mesh->cell[0]; h /= 4) {
         double energy[2], worst = 0;
         for (int k = 0; k < 2; k++) {
             for (size_t t = 0; t < count; t++)
@@ -60,17 +60,17 @@ static void check_derivatives(enum parameters parameters)
     if (!force || !jacobian)
         printf("  parameters %d\n", (int)parameters);
     free(x);
-    net_clear(&s);
+    springs_clear(&s);
 }
 
 /* K y, and y K y over the sum of its terms' sizes. */
-static double definite(const struct net *s, const double (*K)[9], const double *y,
+static double definite(const struct springs *s, const double (*K)[9], const double *y,
                        double *Ky)
 {
     double product = 0, size = 0;
 
-    blocks_multiply(&s->m.net.graph, K, y, Ky);
-    for (int t = 0; t < 3 * s->m.net.nodes; t++) {
+    blocks_multiply(&s->m.springs.graph, K, y, Ky);
+    for (int t = 0; t < 3 * s->m.net.mesh.nodes; t++) {
         product += y[t] * Ky[t];
         size += fabs(y[t] * Ky[t]);
     }
@@ -82,16 +82,16 @@ static double definite(const struct net *s, const double (*K)[9], const double *
 static void check_clamped(void)
 {
     const double springs_round = 1e-9; /* k (1 - r/l), l rounded: eps k against P / a */
-    struct net s;
+    struct springs s;
     double least = INFINITY, off = 0, most = 0;
 
-    net_init(&s, 6, 5, true);
-    net_start(&s);
-    const struct spring_net *net = &s.m.net;
+    springs_init(&s, 6, 5, true);
+    springs_start(&s);
+    const struct spring_net *net = &s.m.springs;
     const double *hinges = s.m.newton.hinges;
     double(*K)[9] = s.m.newton.K;
     const double(*const constK)[9] = (const double(*)[9])K;
-    int count = 3 * net->nodes;
+    int count = 3 * net->mesh->nodes;
     double *x = malloc(4 * (size_t)count * sizeof *x), *y = x + count, *Ky = y + count,
            *other = Ky + count;
     REQUIRE(x);
@@ -109,19 +109,19 @@ static void check_clamped(void)
     CHECK(definite(&s, constK, y, Ky) < 0);
     for (int t = 0; t < count; t++) /* out of the plane: bending alone, the same in both */
         y[t] = t % 3 == 2 ? noise(t) : 0;
-    spring_force_jacobian(net, net->rest, K);
+    spring_force_jacobian(net, net->mesh->rest, K);
     definite(&s, constK, y, Ky);
-    spring_force_clamped(net, net->rest, hinges, K);
+    spring_force_clamped(net, net->mesh->rest, hinges, K);
     definite(&s, constK, y, other);
     for (int t = 0; t < count; t++)
-        if (s.m.newton.supports.free_index[t] >= 0) {
+        if (s.m.net.supports.free_index[t] >= 0) {
             off = fmax(off, fabs(Ky[t] - other[t]));
             most = fmax(most, fabs(Ky[t]));
         }
     CHECK(most > 0);
     CHECK_NEAR(off / most, 0, springs_round);
     free(x);
-    net_clear(&s);
+    springs_clear(&s);
 }
 
 /* The stencil's energy, for the body that the momentum scheme moves element by element. */
@@ -140,25 +140,25 @@ static void check_strips(bool softens)
     enum { COUNT = 3 * 7 * 6 };
     const double DIFFERENCE = 5e-9,
                  ALIKE = 1e-12; /* derivative_fixture.h; sums reordered */
-    struct net s;
+    struct springs s;
     double x[COUNT], along[COUNT], f[COUNT], apart[COUNT] = {0};
 
-    net_init(&s, 7, 6, true);
+    springs_init(&s, 7, 6, true);
     s.d.integrator = INTEGRATOR_MOMENTUM;
     if (softens) {
         s.scene.fabric = (struct law_fabric){
             {2000, 5000, 800, 300}, {1e-2, 4e-2, 4e-3, 6e-3}, 90, 0.1, {-1e-3, -3e-3}};
         scene_use_fabric(&s.scene);
     }
-    net_start(&s);
+    springs_start(&s);
     stencil = &s.m.stencil;
     struct large_body body = s.m.strips.body;
     body.energy = stencil_energy;
     for (int t = 0; t < COUNT; t++) {
-        x[t] = 1.1 * s.m.net.rest[t] + 0.02 * noise(t);
+        x[t] = 1.1 * s.m.net.mesh.rest[t] + 0.02 * noise(t);
         along[t] = noise(3 * t + 1);
     }
-    derivative_check(&body, &s.m.net.graph, x, along, DIFFERENCE);
+    derivative_check(&body, &s.m.springs.graph, x, along, DIFFERENCE);
     CHECK(large_body_force(&body, &large_path_statics, x, f) == STATUS_OK);
     spring_stencil_force_add(stencil, x, apart);
     for (int t = 0; t < COUNT; t++)
@@ -168,13 +168,13 @@ static void check_strips(bool softens)
     double(*K)[9] = s.m.newton.K;
     CHECK(large_body_tangent(&body, &large_path_statics, x, (struct large_foresight){0},
                              K) == STATUS_OK);
-    blocks_multiply(&s.m.net.graph, (const double(*)[9])K, along, f);
+    blocks_multiply(&s.m.springs.graph, (const double(*)[9])K, along, f);
     spring_stencil_jacobian(stencil, x, false, K);
-    blocks_multiply(&s.m.net.graph, (const double(*)[9])K, along, apart);
+    blocks_multiply(&s.m.springs.graph, (const double(*)[9])K, along, apart);
     for (int t = 0; t < COUNT; t++)
         apart[t] -= f[t];
     CHECK_NEAR(derivative_norm(COUNT, apart) / derivative_norm(COUNT, f), 0, ALIKE);
-    net_clear(&s);
+    springs_clear(&s);
 }
 
 int main(void)

@@ -4,9 +4,9 @@
 #include "models/net/spring_stencil.h"
 #include "tests/mass_spring.h"
 
-static void leapfrog(struct net *s, int n, int m, bool held)
+static void leapfrog(struct springs *s, int n, int m, bool held)
 {
-    net_init(s, n, m, held);
+    springs_init(s, n, m, held);
     s->d.integrator = INTEGRATOR_LEAPFROG;
 }
 
@@ -14,7 +14,7 @@ static void leapfrog(struct net *s, int n, int m, bool held)
 static double growth(enum integrator integrator, double part, double beta,
                      enum precision precision)
 {
-    struct net s;
+    struct springs s;
     double first = 0, last = 0;
 
     leapfrog(&s, 7, 6, true);
@@ -22,20 +22,20 @@ static double growth(enum integrator integrator, double part, double beta,
     s.scene.damping = (struct scene_damping){.kind = DAMPING_RAYLEIGH, .beta = beta};
     s.scene.velocity[2] = 0.1;
     s.d.integrator = integrator, s.d.precision = precision;
-    net_start(&s);
+    springs_start(&s);
     CHECK(s.m.dt < s.m.limit); /* steps that it takes by itself */
     s.scene.step = part * s.m.limit;
     spring_motion_clear(&s.m);
     s.d.substeps = 1;
-    net_start(&s);
+    springs_start(&s);
     for (int n = 0; n < 4000 && last < 1; n++) {
         const enum status st = spring_motion_step(&s.m, &s.counters);
-        last = st == STATUS_OK ? net_energy(&s) : INFINITY;
+        last = st == STATUS_OK ? springs_energy(&s) : INFINITY;
         CHECK(st == STATUS_OK || st == STATUS_NAN);
         if (!n)
             first = last;
     }
-    net_clear(&s);
+    springs_clear(&s);
     return last / first;
 }
 
@@ -61,7 +61,7 @@ static void check_limit(void)
 static void check_exchanged(int n, int m)
 {
     const double rounding = 1e-10; /* of some thousand steps */
-    struct net s[2];
+    struct springs s[2];
     double off = 0;
 
     for (int k = 0; k < 2; k++) {
@@ -74,19 +74,20 @@ static void check_exchanged(int n, int m)
             scene->length = scene->width, scene->width = length;
         }
         REQUIRE(scene_add_support(scene, &edge) == STATUS_OK);
-        net_start(&s[k]);
-        net_steps(&s[k], 20);
+        springs_start(&s[k]);
+        springs_steps(&s[k], 20);
     }
     for (int i = 0; i < n; i++)
         for (int j = 0; j < m; j++) {
-            const double *a = s[0].m.x + 3 * (i * m + j), *b = s[1].m.x + 3 * (j * n + i);
+            const double *a = s[0].m.net.x + 3 * (i * m + j),
+                         *b = s[1].m.net.x + 3 * (j * n + i);
             off = fmax(off, fabs(a[0] - b[1]) + fabs(a[1] - b[0]) + fabs(a[2] - b[2]));
         }
     if (!CHECK(off < rounding))
         printf("%d x %d: %g\n", n, m, off);
-    CHECK(fabs(s[0].m.x[3 * (n * m - 1) + 2]) > 0.01);
+    CHECK(fabs(s[0].m.net.x[3 * (n * m - 1) + 2]) > 0.01);
     for (int k = 0; k < 2; k++)
-        net_clear(&s[k]);
+        springs_clear(&s[k]);
 }
 
 /* A frame's halving of velocities only takes energy, also from modes at the limit: the net
@@ -99,7 +100,7 @@ static void check_scaled(void)
     } kinds[] = {{INTEGRATOR_EXPLICIT, PRECISION_DOUBLE},
                  {INTEGRATOR_LEAPFROG, PRECISION_DOUBLE},
                  {INTEGRATOR_LEAPFROG, PRECISION_SINGLE}};
-    struct net s[3];
+    struct springs s[3];
     double off = 0;
 
     for (int k = 0; k < 3; k++) {
@@ -109,17 +110,17 @@ static void check_scaled(void)
         s[k].scene.damping =
             (struct scene_damping){.kind = DAMPING_VELOCITY_SCALE, .value = 0.5};
         s[k].d.integrator = kinds[k].by, s[k].d.precision = kinds[k].precision;
-        net_start(&s[k]);
-        net_steps(&s[k], 400);
+        springs_start(&s[k]);
+        springs_steps(&s[k], 400);
         spring_motion_energy(&s[k].m, &e);
         CHECK(e.kinetic < 0.01 * -e.potential);
-        CHECK(net_strain(&s[k]) < 0.01);
+        CHECK(springs_strain(&s[k]) < 0.01);
     }
-    for (int t = 0; t < 3 * s[1].m.net.nodes; t++)
-        off = fmax(off, fabs(s[1].m.x[t] - s[2].m.x[t]));
+    for (int t = 0; t < 3 * s[1].m.net.mesh.nodes; t++)
+        off = fmax(off, fabs(s[1].m.net.x[t] - s[2].m.net.x[t]));
     CHECK(off > 0 && off < 1e-4);
     for (int k = 0; k < 3; k++)
-        net_clear(&s[k]);
+        springs_clear(&s[k]);
 }
 
 /* A sheet damped by mass and stiffness, whose edge is pulled in its plane and turns back:
@@ -136,9 +137,9 @@ static void drive(struct driven by, double *x, double *energy)
     double path[3][4] = {{0}, {0.05, by.pull, by.pull, 0}, {0.1}};
     const struct scene_support edge = {
         .hi = {0, 1, 1}, .fix = FIX_XYZ, .motion = {.path = path, .path_count = 3}};
-    struct net s;
+    struct springs s;
 
-    net_init(&s, 8, 7, false);
+    springs_init(&s, 8, 7, false);
     REQUIRE(scene_add_support(&s.scene, &edge) == STATUS_OK);
     s.scene.gravity[0] = s.scene.gravity[2] = 0;
     s.scene.young = 1e3;
@@ -146,11 +147,11 @@ static void drive(struct driven by, double *x, double *energy)
         (struct scene_damping){.kind = DAMPING_RAYLEIGH, .alpha = 1, .beta = 2e-3};
     s.d.integrator = by.integrator, s.d.substeps = by.substeps,
     s.d.precision = by.precision;
-    net_start(&s);
-    net_steps(&s, 8);
-    memcpy(x, s.m.x, 3 * (size_t)s.m.net.nodes * sizeof *x);
-    *energy = net_energy(&s);
-    net_clear(&s);
+    springs_start(&s);
+    springs_steps(&s, 8);
+    memcpy(x, s.m.net.x, 3 * (size_t)s.m.net.mesh.nodes * sizeof *x);
+    *energy = springs_energy(&s);
+    springs_clear(&s);
 }
 
 /* Damping by stiffness knows the velocity of held points, too: the leapfrog goes where the
@@ -194,61 +195,61 @@ static void check_slope(int n, int m)
 {
     enum { EVERY = 23 };
     const double SLOPE = 1e-5; /* of differences, of the greatest                       */
-    struct net s;
+    struct springs s;
     double most = 0, off = 0, *f = calloc(3 * (size_t)(n * m), sizeof *f);
 
     REQUIRE(f);
     leapfrog(&s, n, m, true);
     s.scene.step = 1e-9, s.d.substeps = 1;
-    net_start(&s);
-    const int *place = s.m.newton.supports.free_index;
-    double *x = s.m.x, small = 1e-4 * s.scene.length / n;
+    springs_start(&s);
+    const int *place = s.m.net.supports.free_index;
+    double *x = s.m.net.x, small = 1e-4 * s.scene.length / n;
     for (int t = 0; t < 3 * n * m; t++)
         x[t] += place[t] < 0 ? 0 : 1e3 * small * noise(t);
     spring_motion_place(&s.m, 0);
-    net_steps(&s, 1);
-    net_energy(&s); /* brings v up to date */
+    springs_steps(&s, 1);
+    springs_energy(&s); /* brings v up to date */
     spring_stencil_force_add(&s.m.stencil, x, f);
     for (int t = 0; t < 3 * n * m; t += EVERY) {
-        double was = x[t], slope, load = s.m.points.load[t];
+        double was = x[t], slope, load = s.m.net.load[t];
         if (place[t] < 0)
             continue;
         x[t] = was + small, slope = spring_motion_elastic(&s.m);
         x[t] = was - small, slope -= spring_motion_elastic(&s.m);
         x[t] = was, slope = load - slope / (2 * small);
-        off = fmax(off, fabs(s.m.v[t] * s.m.points.mass[t / 3] / s.scene.step - slope));
+        off = fmax(off, fabs(s.m.net.v[t] * s.m.net.mass[t / 3] / s.scene.step - slope));
         off = fmax(off, fabs(load + f[t] - slope));
         most = fmax(most, fabs(slope));
     }
     free(f);
     if (!CHECK(off < SLOPE * most))
         printf("%d x %d: %g of %g\n", n, m, off, most);
-    net_clear(&s);
+    springs_clear(&s);
 }
 
 /* A weak net that its weight stretches by half and more becomes stiffer: the step follows,
  * and with the number of steps fixed at what rest asks for it dies. */
 static void check_watched(void)
 {
-    struct net s;
+    struct springs s;
     enum status st = STATUS_OK;
 
     leapfrog(&s, 6, 5, true);
     s.scene.young = 6;
     s.scene.gravity[0] = 30, s.scene.gravity[2] = 0;
     s.scene.step = 0.02;
-    net_start(&s);
+    springs_start(&s);
     const double dt = spring_leapfrog_step(s.m.leapfrog);
-    net_steps(&s, 200);
-    CHECK(spring_stencil_stretch2(&s.m.stencil, s.m.x) > 1.5);
+    springs_steps(&s, 200);
+    CHECK(spring_stencil_stretch2(&s.m.stencil, s.m.net.x) > 1.5);
     CHECK(spring_leapfrog_step(s.m.leapfrog) < 0.9 * dt);
     spring_motion_clear(&s.m);
     s.d.substeps = (int)round(s.scene.step / dt);
-    net_start(&s);
+    springs_start(&s);
     for (int n = 0; n < 200 && st == STATUS_OK; n++)
         st = spring_motion_step(&s.m, &s.counters);
     CHECK(st == STATUS_NAN);
-    net_clear(&s);
+    springs_clear(&s);
 }
 
 int main(void)

@@ -22,12 +22,12 @@ static void fill_askew(struct scene *scene, double poisson)
 /* d' K d / 2 at rest for a field d. */
 static double quadratic(struct spring_motion *m, const double *d)
 {
-    double *Kd = malloc(3 * (size_t)m->net.nodes * sizeof *Kd), sum = 0;
+    double *Kd = malloc(3 * (size_t)m->net.mesh.nodes * sizeof *Kd), sum = 0;
 
     REQUIRE(Kd);
-    spring_force_jacobian(&m->net, m->net.rest, m->newton.K);
-    blocks_multiply(&m->net.graph, (const double(*)[9])m->newton.K, d, Kd);
-    for (int t = 0; t < 3 * m->net.nodes; t++)
+    spring_force_jacobian(&m->springs, m->net.mesh.rest, m->newton.K);
+    blocks_multiply(&m->springs.graph, (const double(*)[9])m->newton.K, d, Kd);
+    for (int t = 0; t < 3 * m->net.mesh.nodes; t++)
         sum += d[t] * Kd[t] / 2;
     free(Kd);
     return sum;
@@ -44,11 +44,11 @@ static double energy(const struct scene *scene, int n, int m, bool bends, const 
 
     scene_normal(scene, normal);
     REQUIRE(spring_motion_init(&motion, scene, &d, NULL) == STATUS_OK);
-    double *field = malloc(3 * (size_t)motion.net.nodes * sizeof *field);
+    double *field = malloc(3 * (size_t)motion.net.mesh.nodes * sizeof *field);
     REQUIRE(field);
-    for (int a = 0; a < motion.net.nodes; a++) {
-        const double s = motion.net.uvw[a][0] * scene->length;
-        const double t = motion.net.uvw[a][1] * scene->width;
+    for (int a = 0; a < motion.net.mesh.nodes; a++) {
+        const double s = motion.net.mesh.uvw[a][0] * scene->length;
+        const double t = motion.net.mesh.uvw[a][1] * scene->width;
         const double w = e[0] * s * s / 2 + e[1] * t * t / 2 + e[2] * s * t;
         for (int i = 0; i < 3; i++)
             field[3 * a + i] =

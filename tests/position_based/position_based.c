@@ -24,7 +24,7 @@ static void begin(struct constraints *s)
 
     if (!CHECK(pb_motion_init(&s->m, &s->scene, &s->d, &why) == STATUS_OK))
         printf("%s\n", why.text);
-    REQUIRE(s->m.x);
+    REQUIRE(s->m.net.x);
 }
 
 static void frames(struct constraints *s, int count)
@@ -64,7 +64,7 @@ static void throw_sheet(struct scene *scene, double dt)
  * far off they end, of how far they moved. */
 static double same_step(int n, int m, double dt, double *projective)
 {
-    struct net springs;
+    struct springs springs;
     struct constraints pb;
     struct pd_motion pd;
     const struct pd_options o = {.points = {n, m},
@@ -77,11 +77,11 @@ static double same_step(int n, int m, double dt, double *projective)
     double *x = calloc((size_t)count, sizeof *x);
 
     REQUIRE(x);
-    net_init(&springs, n, m, true);
+    springs_init(&springs, n, m, true);
     throw_sheet(&springs.scene, dt);
     springs.d.tolerance = 1e-10;
-    net_start(&springs);
-    net_steps(&springs, 1);
+    springs_start(&springs);
+    springs_steps(&springs, 1);
     REQUIRE(pd_motion_init(&pd, &springs.scene, &o, &why) == STATUS_OK);
     CHECK(pd_motion_frame(&pd, &springs.counters) == STATUS_OK);
     for (int a = 0; a < count; a++)
@@ -91,12 +91,12 @@ static double same_step(int n, int m, double dt, double *projective)
     pb.d.iterations = 3000, pb.d.substeps = 1;
     begin(&pb);
     frames(&pb, 1);
-    double moved = distance(springs.m.x, springs.m.net.rest, count);
-    *projective = distance(springs.m.x, x, count) / moved;
-    double off = distance(springs.m.x, pb.m.x, count) / moved;
+    double moved = distance(springs.m.net.x, springs.m.net.mesh.rest, count);
+    *projective = distance(springs.m.net.x, x, count) / moved;
+    double off = distance(springs.m.net.x, pb.m.net.x, count) / moved;
     pd_motion_clear(&pd);
     clear(&pb);
-    net_clear(&springs);
+    springs_clear(&springs);
     free(x);
     return off;
 }
@@ -127,17 +127,17 @@ static double slope(struct pb_motion *m, int number)
     double loads = 0;
 
     for (int side = 0; side < 2; side++) {
-        for (int n = 0; n < 3 * m->net.nodes; n++) {
+        for (int n = 0; n < 3 * m->net.mesh.nodes; n++) {
             double step =
-                m->supports.free_index[n] < 0 ? 0 : small * noise(n + 31 * number);
-            m->x[n] += side ? -2 * step : step;
-            loads += side ? 0 : fabs(step * m->points.load[n]);
+                m->net.supports.free_index[n] < 0 ? 0 : small * noise(n + 31 * number);
+            m->net.x[n] += side ? -2 * step : step;
+            loads += side ? 0 : fabs(step * m->net.load[n]);
         }
         pb_motion_energy(m, &e[side]);
     }
-    for (int n = 0; n < 3 * m->net.nodes; n++)
-        if (m->supports.free_index[n] >= 0)
-            m->x[n] += small * noise(n + 31 * number);
+    for (int n = 0; n < 3 * m->net.mesh.nodes; n++)
+        if (m->net.supports.free_index[n] >= 0)
+            m->net.x[n] += small * noise(n + 31 * number);
     return fabs(e[0].elastic + e[0].potential - e[1].elastic - e[1].potential) /
            (2 * loads);
 }
@@ -191,12 +191,12 @@ static double breath(double beta, double *rate)
     begin(&s);
     frames(&s, 40);
     pb_motion_energy(&s.m, &e);
-    for (int n = 0; n < s.m.net.spring_count; n++) {
-        const struct spring *one = &s.m.net.springs[n];
-        double along = s.m.net.rest[3 * one->b] - s.m.net.rest[3 * one->a];
+    for (int n = 0; n < s.m.springs.spring_count; n++) {
+        const struct spring *one = &s.m.springs.springs[n];
+        double along = s.m.net.mesh.rest[3 * one->b] - s.m.net.mesh.rest[3 * one->a];
         stiffness += one->stiffness * along * along / (one->length * one->length);
     }
-    *rate = beta * stiffness / (s.m.points.mass[2] + s.m.points.mass[3]);
+    *rate = beta * stiffness / (s.m.net.mass[2] + s.m.net.mass[3]);
     clear(&s);
     return e.kinetic + e.elastic;
 }

@@ -187,14 +187,14 @@ static void check_strains(enum constraint constraint, double nu, double C12_fact
     const double tol_rounding = 1e-4; /* 2 eps / size^2: the energy is a difference       */
     struct scene scene;
     struct pd_energy e;
-    bool clamped[42] = {false};
+    struct mesh mesh;
 
     pd_fixture_scene(&scene, nu);
     scene.width = 0.9;
     if (C12_factor == 0)
         scene.fabric = fabric, scene_use_fabric(&scene);
-    REQUIRE(pd_energy_init(&e, &scene, 6, 7, constraint, PARAMETERS_MATCHED, clamped) ==
-            STATUS_OK);
+    REQUIRE(mesh_init(&mesh, &scene, (int[]){6, 7}) == STATUS_OK);
+    REQUIRE(pd_energy_init(&e, &scene, &mesh, constraint, PARAMETERS_MATCHED) == STATUS_OK);
     e.row_count = 0;
     for (int n = 0; n < 4; n++) {
         const double *s = strain[n];
@@ -204,6 +204,7 @@ static void check_strains(enum constraint constraint, double nu, double C12_fact
         CHECK_RELATIVE(got / (size * size), want, tol_strain + tol_rounding);
     }
     pd_energy_clear(&e);
+    mesh_clear(&mesh);
     scene_clear(&scene);
 }
 
@@ -228,7 +229,7 @@ static double deflection_at(const struct scene *scene, int n, int i)
     REQUIRE(pd_system_init(&m.system, &m.energy, &m.supports, 0, 1, 1, SOLVER_AUTO) ==
             STATUS_OK);
     for (int k = 0; k < net->nodes; k++)
-        up[k] = m.system.held[2 * net->nodes + k] ? 0 : m.energy.area[k] * load;
+        up[k] = m.system.held[2 * net->nodes + k] ? 0 : m.mesh.area[k] * load;
     REQUIRE(pd_system_solve(&m.system, z) == STATUS_OK);
     double deflection = up[i * net->m + net->m / 2];
     pd_net_free_fields(net, z);
@@ -315,7 +316,7 @@ static void check_paper(void)
     for (int k = 0; k < net->nodes; k++) {
         const int i = k / net->m;
         m.x[up + k] = size * pow(i * net->du, 2) / 2;
-        mass += m.energy.mass[k], area += i && i < net->n - 1 ? m.energy.area[k] : 0;
+        mass += m.energy.mass[k], area += i && i < net->n - 1 ? m.mesh.area[k] : 0;
     }
     CHECK_NEAR(mass, 1, tol_size);
     CHECK_RELATIVE(pd_energy_value(&m.energy, m.x) / (size * size), 5 * area, tol_size);

@@ -47,7 +47,7 @@ static struct tri_motion *start_soft(struct run *run)
 
 static size_t count_of(const struct tri_motion *m)
 {
-    return 3 * (size_t)m->net.points.nodes;
+    return 3 * (size_t)m->net.mesh.nodes;
 }
 
 /* Numbers in (-1, 1), the same on every run. */
@@ -61,7 +61,7 @@ enum { MOST = 3 * 200 };
 /* A shape far from rest: stretched, sheared, bent by half a radian a cell. */
 static void bend(const struct tri_motion *m, double *x)
 {
-    const double *rest = m->net.points.rest;
+    const double *rest = m->net.mesh.rest;
 
     for (size_t t = 0; t < count_of(m); t++)
         x[t] = 1.1 * rest[t] + 0.02 * noise(t) + 0.05 * rest[t / 3 * 3 + (t + 1) % 3];
@@ -82,9 +82,9 @@ static void check_derivatives(const char *membrane, const char *bending, bool he
     bend(m, x);
     for (size_t t = 0; t < count_of(m); t++)
         d[t] = noise(3 * t + 1);
-    derivative_check(&m->body.body, &m->net.graph, x, d, DIFFERENCE);
+    derivative_check(&m->body.body, &m->triangles.graph, x, d, DIFFERENCE);
     if (!held) /* which clamps don't turn with */
-        derivative_rigid(&m->body.body, m->net.points.rest, 0.3,
+        derivative_rigid(&m->body.body, m->net.mesh.rest, 0.3,
                          derivative_energy(&m->body.body, x), RIGID_ENERGY, RIGID_FORCE);
     run_close(&run);
 }
@@ -132,9 +132,9 @@ static double quadratic(struct tri_motion *m, const double *d)
     double Kd[MOST];
 
     REQUIRE(count_of(m) <= MOST);
-    CHECK(large_body_tangent(&m->body.body, &large_path_statics, m->net.points.rest,
+    CHECK(large_body_tangent(&m->body.body, &large_path_statics, m->net.mesh.rest,
                              (struct large_foresight){0}, m->march.K) == STATUS_OK);
-    blocks_multiply(&m->net.graph, (const double(*)[9])m->march.K, d, Kd);
+    blocks_multiply(&m->triangles.graph, (const double(*)[9])m->march.K, d, Kd);
     return derivative_dot(count_of(m), d, Kd) / 2;
 }
 
@@ -157,13 +157,13 @@ static void check_membrane(const char *membrane, double nu)
             start(&run, k % 2 ? 2 : 6, k % 2 ? 2 : 5, membrane, bendings[0], nu, false);
         const struct scene *scene = &run.scene;
         for (size_t a = 0; a < count_of(m) / 3; a++) {
-            double p = m->net.points.uvw[a][0] * scene->length;
-            double q = m->net.points.uvw[a][1] * scene->width;
+            double p = m->net.mesh.uvw[a][0] * scene->length;
+            double q = m->net.mesh.uvw[a][1] * scene->width;
             double y[3];
             for (int i = 0; i < 3; i++) {
                 field[3 * a + (size_t)i] = (e[0] * p + e[2] / 2 * q) * scene->axis_u[i] +
                                            (e[2] / 2 * p + e[1] * q) * scene->axis_v[i];
-                y[i] = m->net.points.rest[3 * a + (size_t)i] + field[3 * a + (size_t)i];
+                y[i] = m->net.mesh.rest[3 * a + (size_t)i] + field[3 * a + (size_t)i];
             }
             x[3 * a] = cos(1) * y[0] - sin(1) * y[1];
             x[3 * a + 1] = sin(1) * y[0] + cos(1) * y[1], x[3 * a + 2] = y[2];
@@ -219,8 +219,8 @@ static void check_bending(const char *bending, double nu, double turn, double sa
     struct tri_motion *m = start(&run, N, M, membranes[0], bending, nu, false);
     scene_normal(&run.scene, normal);
     for (size_t a = 0; a < count_of(m) / 3; a++) {
-        double p = m->net.points.uvw[a][0] * run.scene.length;
-        double q = m->net.points.uvw[a][1] * run.scene.width;
+        double p = m->net.mesh.uvw[a][0] * run.scene.length;
+        double q = m->net.mesh.uvw[a][1] * run.scene.width;
         for (int i = 0; i < 3; i++)
             field[3 * a + (size_t)i] =
                 (k[0] * p * p / 2 + k[1] * q * q / 2 + k[2] * p * q) * normal[i];
@@ -294,11 +294,11 @@ static void check_bias(double warp)
     for (size_t n = 0; n < sizeof curvature / sizeof *curvature; n++) {
         const double *k = curvature[n], twist = k[2] * k[2] / inverse[LAW_33];
         for (size_t a = 0; a < count_of(m) / 3; a++) {
-            const double p = m->net.points.uvw[a][0] * 0.8;
-            const double q = m->net.points.uvw[a][1] * 0.5;
+            const double p = m->net.mesh.uvw[a][0] * 0.8;
+            const double q = m->net.mesh.uvw[a][1] * 0.5;
             field[3 * a + 2] = (k[0] * p * p + k[1] * q * q + k[2] * p * q) / 2;
         }
-        const double area = m->net.points.cell[0] * m->net.points.cell[1];
+        const double area = m->net.mesh.cell[0] * m->net.mesh.cell[1];
         double u[3], v[3];
         rim_curvature(B, k, 0, u), rim_curvature(B, k, 1, v);
         const double want = (N - 2) * (M - 2) * (2 * law_energy(B, k) - twist) +
@@ -308,7 +308,7 @@ static void check_bias(double warp)
         const double soft = (N - 2) * (M - 2) * softening(&law, k) +
                             (N - 2) * softening(&law, u) + (M - 2) * softening(&law, v);
         CHECK_RELATIVE(quadratic(m, field), want / 2 * area, BEND);
-        CHECK_RELATIVE(quadratic(m, field) + softening_of(&m->net.soft, field),
+        CHECK_RELATIVE(quadratic(m, field) + softening_of(&m->triangles.soft, field),
                        (want / 2 + soft) * area, BEND);
     }
     run_close(&run);
@@ -326,7 +326,7 @@ static void check_roll(void)
     for (size_t p = 0; p < count_of(m) / 3; p++) {
         double t = (double)(p / M) * angle;
         x[3 * p] = radius * sin(t), x[3 * p + 2] = radius * (1 - cos(t));
-        x[3 * p + 1] = m->net.points.uvw[p][1] * run.scene.width;
+        x[3 * p + 1] = m->net.mesh.uvw[p][1] * run.scene.width;
     }
     CHECK_RELATIVE(tri_body_energy(&m->body, x),
                    scene_bending_stiffness(&run.scene) / 2 * (angle * angle / a) *

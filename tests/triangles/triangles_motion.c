@@ -54,18 +54,18 @@ static void check_slope(int n, int m, const char *membrane)
                "material={young: 1, poisson: 0, density: 1}", "gravity=[0,0,0]",
                "discretization.substeps=1", "time={step: 1e-9, end: 1e-8}", "snapshots=[]");
     struct tri_motion *s = run.state;
-    double *x = s->x, small = 1e-4 * run.scene.length / n;
+    double *x = s->net.x, small = 1e-4 * run.scene.length / n;
     for (int t = 0; t < 3 * n * m; t++)
         x[t] += 1e3 * small * sin(7. * t);
-    spring_leapfrog_place(s->leapfrog, 0, x);
+    spring_leapfrog_place(s->leapfrog, 0);
     opened_steps(&run, 1);
     opened_total(&run); /* fetches the velocities */
     for (int t = 0; t < 3 * n * m; t += EVERY) {
         double was = x[t], slope;
         x[t] = was + small, slope = tri_body_energy(&s->body, x);
         x[t] = was - small, slope -= tri_body_energy(&s->body, x);
-        x[t] = was, slope = s->load.load[t] - slope / (2 * small);
-        off = fmax(off, fabs(s->v[t] * s->load.mass[t / 3] / run.scene.step - slope));
+        x[t] = was, slope = s->net.load[t] - slope / (2 * small);
+        off = fmax(off, fabs(s->net.v[t] * s->net.mass[t / 3] / run.scene.step - slope));
         most = fmax(most, fabs(slope));
     }
     if (!CHECK(off < SLOPE * most))

@@ -121,12 +121,12 @@ static double bent(const char *points, const char *scale)
                "supports=[]", "gravity=[0,0,0]");
     struct vb_motion *m = motion_of(&run);
     for (int a = 0; a < m->body.nodes; a++) {
-        const double s = m->net.points.rest[3 * a];
-        m->x[3 * a] = sin(s), m->x[3 * a + 2] = 1 - cos(s);
+        const double s = m->net.mesh.rest[3 * a];
+        m->net.x[3 * a] = sin(s), m->net.x[3 * a + 2] = 1 - cos(s);
     }
     m->law.area = 0; /* the membrane apart */
     vb_motion_energy(m, &e);
-    const double share = 1 - m->net.points.cell[0];
+    const double share = 1 - m->net.mesh.cell[0];
     run_close(&run);
     return e.elastic / share;
 }

@@ -1,4 +1,4 @@
-#include "models/net/net_surface.h"
+#include "models/mesh/mesh.h"
 
 #include <math.h>
 #include <string.h>
@@ -6,12 +6,18 @@
 #include "models/grid.h"
 #include "models/vector.h"
 
-static const double *point(const struct net_surface *net, int i, int j)
+/* One sheet of a grid. */
+struct sheet {
+    int n, m; /* points along u, v                                                      */
+    struct mesh_field at;
+};
+
+static const double *point(const struct sheet *net, int i, int j)
 {
-    return net->x + (ptrdiff_t)(i * net->m + j) * net->node;
+    return net->at.x + (ptrdiff_t)(i * net->m + j) * net->at.node;
 }
 
-static void normal_at(const struct net_surface *net, int i, int j, double normal[3])
+static void normal_at(const struct sheet *net, int i, int j, double normal[3])
 {
     const double *before_u = point(net, i ? i - 1 : 0, j);
     const double *behind_u = point(net, i < net->n - 1 ? i + 1 : i, j);
@@ -20,7 +26,7 @@ static void normal_at(const struct net_surface *net, int i, int j, double normal
     double u[3], v[3];
 
     for (int c = 0; c < 3; c++) {
-        ptrdiff_t at = c * net->component;
+        ptrdiff_t at = c * net->at.component;
         u[c] = behind_u[at] - before_u[at];
         v[c] = behind_v[at] - before_v[at];
     }
@@ -31,7 +37,7 @@ static void normal_at(const struct net_surface *net, int i, int j, double normal
 }
 
 /* Evaluates the surface and its normal, not of length one, at (u, v). */
-static void evaluate(const struct net_surface *net, double u, double v, double middle[3],
+static void evaluate(const struct sheet *net, double u, double v, double middle[3],
                      double normal[3])
 {
     double weight[2][2];
@@ -46,7 +52,7 @@ static void evaluate(const struct net_surface *net, double u, double v, double m
         const double *x = point(net, i + s / 2, j + s % 2);
         normal_at(net, i + s / 2, j + s % 2, its);
         for (int c = 0; c < 3; c++) {
-            middle[c] += share * x[c * net->component];
+            middle[c] += share * x[c * net->at.component];
             normal[c] += share * its[c];
         }
     }
@@ -74,7 +80,7 @@ static void spline(int degree, int count, double place, int *first, double weigh
 }
 
 /* Finds a component of the point (i, j), beyond the rims straight on. */
-static double beyond(const struct net_surface *net, int i, int j, int c)
+static double beyond(const struct sheet *net, int i, int j, int c)
 {
     if (i < 0)
         return 2 * beyond(net, 0, j, c) - beyond(net, -i, j, c);
@@ -84,21 +90,21 @@ static double beyond(const struct net_surface *net, int i, int j, int c)
         return 2 * beyond(net, i, 0, c) - beyond(net, i, -j, c);
     if (j >= net->m)
         return 2 * beyond(net, i, net->m - 1, c) - beyond(net, i, 2 * (net->m - 1) - j, c);
-    return point(net, i, j)[c * net->component];
+    return point(net, i, j)[c * net->at.component];
 }
 
 /* Evaluates the B-spline and its normal, not of length one, at (u, v). */
-static void evaluate_spline(const struct net_surface *net, double u, double v,
-                            double middle[3], double normal[3])
+static void evaluate_spline(const struct sheet *net, double u, double v, double middle[3],
+                            double normal[3])
 {
     double weight[2][4], slope[2][4], along[3] = {0}, across[3] = {0};
     int i, j;
 
-    spline(net->degree, net->n, u, &i, weight[0], slope[0]);
-    spline(net->degree, net->m, v, &j, weight[1], slope[1]);
+    spline(net->at.degree, net->n, u, &i, weight[0], slope[0]);
+    spline(net->at.degree, net->m, v, &j, weight[1], slope[1]);
     middle[0] = middle[1] = middle[2] = 0;
-    for (int s = 0; s < (net->degree + 1) * (net->degree + 1); s++) {
-        const int a = s / (net->degree + 1), b = s % (net->degree + 1);
+    for (int s = 0; s < (net->at.degree + 1) * (net->at.degree + 1); s++) {
+        const int a = s / (net->at.degree + 1), b = s % (net->at.degree + 1);
         for (int c = 0; c < 3; c++) {
             const double x = beyond(net, i + a, j + b, c);
             middle[c] += weight[0][a] * weight[1][b] * x;
@@ -109,14 +115,14 @@ static void evaluate_spline(const struct net_surface *net, double u, double v,
     vector_cross(along, across, normal);
 }
 
-void net_surface_points(const struct net_surface *net, const struct scene *scene, int n,
-                        const double *uvw, double *xyz)
+void mesh_sample(const struct mesh *mesh, const struct scene *scene,
+                 const struct mesh_field *field, int n, const double *uvw, double *xyz)
 {
     for (int t = 0; t < n; t++, uvw += 3, xyz += 3) {
-        struct net_surface sheet = *net;
+        struct sheet sheet = {mesh->rows, mesh->points[1], *field};
         double off[3], u;
-        sheet.x += scene_sheet_at(scene, uvw[0], &u) * net->n * net->m * net->node;
-        (net->degree ? evaluate_spline : evaluate)(&sheet, u, uvw[1], xyz, off);
+        sheet.at.x += scene_sheet_at(scene, uvw[0], &u) * sheet.n * sheet.m * field->node;
+        (field->degree ? evaluate_spline : evaluate)(&sheet, u, uvw[1], xyz, off);
         double length = vector_length(off);
         for (int c = 0; c < 3 && length > 0; c++)
             xyz[c] += (uvw[2] - 0.5) * scene->thickness * (off[c] / length);

@@ -1,7 +1,7 @@
 /* Nets as surfaces: flat ones are the sheet, in place and thickness, as bilinear patches
  * and as B-splines; splines go through corners, and past points by their second
  * differences. */
-#include "models/net/net_surface.h"
+#include "models/mesh/mesh.h"
 
 #include <math.h>
 
@@ -12,6 +12,7 @@ static const double TOL = 1e-14; /* some roundings of numbers up to 1 */
 
 static double x[N][M][3];
 static struct scene scene;
+static struct mesh mesh;
 
 static void fill(double (*height)(double u, double v))
 {
@@ -24,10 +25,10 @@ static void fill(double (*height)(double u, double v))
 
 static void at(int degree, double u, double v, double w, double xyz[3])
 {
-    const struct net_surface net = {N, M, x[0][0], 3, 1, degree};
+    const struct mesh_field field = {x[0][0], 3, 1, degree};
     const double uvw[3] = {u, v, w};
 
-    net_surface_points(&net, &scene, 1, uvw, xyz);
+    mesh_sample(&mesh, &scene, &field, 1, uvw, xyz);
 }
 
 static double plane(double u, double v)
@@ -85,8 +86,10 @@ int main(void)
 {
     REQUIRE(scene_init(&scene) == STATUS_OK);
     scene.length = scene.width = 1, scene.thickness = 0.1;
+    REQUIRE(mesh_init(&mesh, &scene, (int[]){N, M}) == STATUS_OK);
     test_flat();
     test_spline();
+    mesh_clear(&mesh);
     scene_clear(&scene);
     return check_result();
 }

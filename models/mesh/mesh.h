@@ -1,0 +1,76 @@
+/* mesh.h - a net of points over the mid-surface of each sheet: where they are, what is
+ * theirs of the area, which of them are clamped, and the surface between them. Nobody else
+ * knows how points are numbered, but for what goes over a grid's rows and says so.
+ *
+ * A grid has n x m points a sheet, node i m + j of the first at (u,v) = (i/(n-1),
+ * j/(m-1)). The rows of several sheets follow each other, and nothing connects the last
+ * row of one with the first of the next.
+ *
+ * A point has no rotation, so that holding it does not clamp the sheet there; but a solid's
+ * column, held through the whole thickness in x, y and z, cannot turn. Points of such
+ * columns are clamped: who bends the sheet keeps its direction there.
+ */
+#ifndef MESH_H
+#define MESH_H
+
+#include <stddef.h>
+
+#include "models/contact/contact_surface.h"
+#include "models/mechanics/supports.h"
+
+struct mesh {
+    int nodes;
+    int points[2];    /* of a grid: rows of all sheets, points of a row                  */
+    int rows;         /* of one sheet                                                    */
+    double cell[2];   /* a_u, a_v                                                [m]     */
+    void *room;       /* memory of the arrays                                    owned   */
+    double (*uvw)[3]; /* [nodes] material parameters, w = 1/2                          */
+    double *rest;     /* [nodes][3]                                            [m]     */
+    double *area;     /* [nodes] of the sheet that is theirs                   [m^2]   */
+    bool *clamped;    /* [nodes] of held columns that cannot turn                      */
+};
+
+/* Makes the grid of a scene; points: n, m >= 2 of a sheet. */
+enum status mesh_init(struct mesh *mesh, const struct scene *scene, const int points[2]);
+void mesh_clear(struct mesh *mesh);
+
+/* Returns the node di rows and dj places from (i, j), or -1 beyond the rim of its sheet. */
+int mesh_beside(const struct mesh *mesh, int i, int j, int di, int dj);
+
+/* Tells whether the node (i, j) lies on a rim of its sheet along u (0) or v (1). */
+bool mesh_on_rim(const struct mesh *mesh, int i, int j, int along);
+
+/* Tells whether the net has what can bend: three points in line, or a clamp. */
+bool mesh_bends(const struct mesh *mesh);
+
+/* Computes the scene's loads on the points, by their hat functions: *dead[nodes][3] [N],
+ * owned by the caller; NULL if there are none. */
+enum status mesh_loads(const struct mesh *mesh, const struct scene *scene, double **dead);
+
+/* Makes the surface that contact sees, whose samples are the points. */
+enum status mesh_contact(const struct mesh *mesh, const struct scene *scene,
+                         struct contact_surface *surface);
+
+/* Makes an order of the points for a factorisation, owned by the caller; NULL: any. */
+enum status mesh_order(const struct mesh *mesh, int **order);
+
+/* Positions of a net: component c of node a at x[a node + c component], borrowed. */
+struct mesh_field {
+    const double *x;
+    ptrdiff_t node, component;
+    int degree; /* 2 or 3: points are a B-spline's control points (a grid's only); 0: the
+                   surface is bilinear in each cell                                     */
+};
+
+/* Evaluates material points uvw[n][3] of the scene's sheets, xyz[n][3]: the surface and
+ * (w - 1/2) thickness along its unit normal. In cells that is the mean of the cell's four
+ * points' normals, so that a thick sheet has no gaps between cells: of tangents by central
+ * differences, one-sided on the rim. No normal where they are parallel.
+ *
+ * Beyond a rim a control net (Li et al. 2019 have springs between these) goes on straight,
+ * which is a spline's natural end: a flat net is the sheet itself, rims are splines of the
+ * points on them, and its corners are points. */
+void mesh_sample(const struct mesh *mesh, const struct scene *scene,
+                 const struct mesh_field *field, int n, const double *uvw, double *xyz);
+
+#endif

@@ -1,0 +1,130 @@
+#include "models/net/net.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "models/damping.h"
+#include "models/net/spring_law.h"
+#include "models/room.h"
+
+static void set_points(struct net *net, enum parameters parameters, double alpha)
+{
+    const struct scene *s = net->scene;
+    const double area_mass = spring_law_mass(s, parameters);
+    const double drag = spring_law_drag(parameters);
+    const int nodes = net->mesh.nodes;
+
+    for (int a = 0; a < nodes; a++) {
+        const struct scene_own *own = &s->own[scene_sheet_of(s, a, nodes)];
+        double volume = net->mesh.area[a] * s->thickness;
+        net->mass[a] =
+            own->density > 0 ? own->density * volume : area_mass * net->mesh.area[a];
+        net->drag[a] = alpha * net->mass[a] + drag + s->drag * volume;
+        for (int i = 0; i < 3; i++)
+            net->load[3 * a + i] =
+                net->mass[a] * s->gravity[i] + s->drag * volume * s->wind[i];
+    }
+    for (int t = 0; net->dead && t < 3 * nodes; t++)
+        net->load[t] += net->dead[t];
+}
+
+void net_clear(struct net *net)
+{
+    net_contact_free(net->contact);
+    supports_clear(&net->supports);
+    mesh_clear(&net->mesh);
+    free(net->room);
+    free(net->dead);
+    memset(net, 0, sizeof *net);
+}
+
+enum status net_init(struct net *net, const struct scene *scene,
+                     const struct discretization *d, struct message *why)
+{
+    enum status st;
+    const bool scenes = d->parameters != PARAMETERS_PAPER;
+    const struct mesh *mesh = &net->mesh;
+
+    *net = (struct net){.scene = scene,
+                        .beta = scenes ? damping_stiffness(scene) : 0,
+                        .keep = scenes ? damping_velocity(scene) : 1};
+    TRY(mesh_init(&net->mesh, scene, d->points));
+    TRY(supports_init(&net->supports, scene, mesh->nodes, mesh->uvw, mesh->rest, why));
+    TRY(room_cut(&net->room, ROOM(net->mass, mesh->nodes), ROOM(net->drag, mesh->nodes),
+                 ROOM(net->load, 3 * mesh->nodes), ROOM(net->x, 3 * mesh->nodes),
+                 ROOM(net->v, 3 * mesh->nodes),
+                 ROOM(net->shift, net->supports.held_count)));
+    TRY(mesh_loads(mesh, scene, &net->dead));
+    set_points(net, d->parameters, scenes ? damping_mass(scene) : 0);
+    memcpy(net->x, mesh->rest, 3 * (size_t)mesh->nodes * sizeof *net->x);
+    supports_initial_velocity(&net->supports, scene, mesh->rest, NULL, net->v);
+out:
+    if (st != STATUS_OK)
+        net_clear(net);
+    return st;
+}
+
+enum status net_meet(struct net *net)
+{
+    return net_contact_make(net->scene, &net->mesh, &net->supports, &net->contact);
+}
+
+void net_hold(struct net *net, double t)
+{
+    const struct supports *s = &net->supports;
+
+    supports_shift(s, net->scene, t, net->shift);
+    for (int h = 0; h < s->held_count; h++)
+        net->x[s->held[h]] = net->mesh.rest[s->held[h]] + net->shift[h];
+}
+
+void net_arrive(const struct net *net, int iterations, int most, double dt,
+                struct arrival *arrival)
+{
+    const int nodes = net->mesh.nodes;
+    double mass = 0;
+
+    for (int a = 0; a < nodes; a++)
+        mass += net->mass[a];
+    arrival_init(arrival, iterations, most,
+                 arrival_sum(nodes, net->supports.free_index, true, NULL, net->load), mass,
+                 nodes, net->scene, dt);
+}
+
+void net_energy(const struct net *net, const double *v, struct energy *energy)
+{
+    double kinetic = 0, potential = 0;
+
+    for (size_t n = 0; n < 3 * (size_t)net->mesh.nodes; n++) {
+        double mass = net->mass[n / 3];
+        kinetic += mass * v[n] * v[n] / 2;
+        double weight = mass * net->scene->gravity[n % 3] + (net->dead ? net->dead[n] : 0);
+        potential -= weight * (net->x[n] - net->mesh.rest[n]);
+    }
+    energy->kinetic = kinetic;
+    energy->potential = potential;
+}
+
+void net_probe(const void *state, int n, const double *uvw, double *xyz)
+{
+    const struct net *net = state;
+
+    mesh_sample(&net->mesh, net->scene, &(struct mesh_field){net->x, 3, 1, 0}, n, uvw, xyz);
+}
+
+void net_size(const void *state, struct model_size *size)
+{
+    const struct net *net = state;
+
+    *size = (struct model_size){.nodes = net->mesh.nodes,
+                                .unknowns = net->supports.free_count,
+                                .solver = "none",
+                                .unknown_basis = "mid-surface points"};
+}
+
+void net_touches(const void *state, struct model_contact *contact)
+{
+    const struct net *net = state;
+
+    *contact = net_contact_report(net->contact);
+}

@@ -1,0 +1,55 @@
+/* net.h - a net of points in time, without what holds it together: the mesh, the masses,
+ * the forces that do not depend on places, supports, contact, places and velocities. It is
+ * the first member of each such model's state, and answers what model.h asks of all.
+ */
+#ifndef NET_H
+#define NET_H
+
+#include "models/mechanics/arrival.h"
+#include "models/mesh/mesh.h"
+#include "models/model.h"
+#include "models/net/net_contact.h"
+
+struct net {
+    const struct scene *scene; /*                                             borrowed */
+    struct mesh mesh;
+    struct supports supports;
+    struct net_contact *contact; /* NULL before net_meet, or where the scene has none  */
+    void *room;
+    double *mass;  /* [nodes]                                                [kg]     */
+    double *drag;  /* [nodes] force against velocity, mass damping in it     [N s/m]  */
+    double *load;  /* [nodes][3] gravity, wind and loads                     [N]      */
+    double *dead;  /* [nodes][3] of which the scene's loads, or NULL  [N]     owned   */
+    double *x, *v; /* [nodes][3] of now                                      [m, m/s] */
+    double *shift; /* [held_count] work                                      [m]      */
+    double beta;   /* stiffness damping                                      [s]      */
+    double keep;   /* factor on velocities after each frame                  [1]      */
+};
+
+/* Makes the net at rest, with its initial velocity. d: points and parameters; the paper's
+ * have a mass and a drag of points of their own, which replaces the scene's damping. *net
+ * must stay where it is. */
+enum status net_init(struct net *net, const struct scene *scene,
+                     const struct discretization *d, struct message *why);
+void net_clear(struct net *net);
+
+/* Makes the contact, if the scene has any. */
+enum status net_meet(struct net *net);
+
+/* Moves held points of net->x to where they are at time t. */
+void net_hold(struct net *net, double t);
+
+/* Prepares to judge steps (arrival.h) of dt [s] by the forces that are left. */
+void net_arrive(const struct net *net, int iterations, int most, double dt,
+                struct arrival *arrival);
+
+/* Computes kinetic and potential energy at net->x, of v; leaves the elastic one. */
+void net_energy(const struct net *net, const double *v, struct energy *energy);
+
+/* Implement model.h's entries for a state that begins with a net: the bilinear surface; the
+ * free unknowns, which no system solves for; the contact of the last frame. */
+void net_probe(const void *state, int n, const double *uvw, double *xyz);
+void net_size(const void *state, struct model_size *size);
+void net_touches(const void *state, struct model_contact *contact);
+
+#endif

@@ -9,6 +9,7 @@ void discretization_clear(struct discretization *d)
     for (int i = 0; i < 3; i++)
         free(d->knots[i]);
     free(d->weights);
+    free(d->mesh);
     memset(d, 0, sizeof *d);
 }
 
@@ -31,11 +32,13 @@ enum status discretization_copy(const struct discretization *from,
     enum status st = STATUS_OK;
     struct discretization copy = *from;
 
-    copy.weights = NULL;
+    copy.weights = NULL, copy.mesh = NULL;
     memset(copy.knots, 0, sizeof copy.knots);
     for (int i = 0; i < 3; i++)
         TRY(copy_array(from->knots[i], from->knot_count[i], &copy.knots[i]));
     TRY(copy_array(from->weights, from->weight_count, &copy.weights));
+    if (from->mesh && !(copy.mesh = strdup(from->mesh)))
+        TRY(STATUS_MEMORY);
 out:
     if (st != STATUS_OK)
         discretization_clear(&copy);

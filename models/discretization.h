@@ -64,7 +64,7 @@ enum integrator {
 enum precision { PRECISION_DOUBLE, PRECISION_SINGLE };
 
 /* The bending of a net of triangles. */
-enum bending { BENDING_QUADRATIC, BENDING_HINGE };
+enum bending { BENDING_QUADRATIC, BENDING_HINGE, BENDING_MIDEDGE };
 
 /* The samples at which a spline meets bodies and itself: several a span of its surface, or
  * its control points (Ren et al. 2024). */
@@ -110,6 +110,9 @@ struct discretization {
     int iterations;   /* at most, in a step; 0: until the tolerance is met          */
     double tolerance; /* ends the iteration; each model says of what [1]; 0: its own */
     enum bending bending;
+    char *mesh; /* "grid", "diagonal", "irregular", or an OBJ file; NULL: grid  owned   */
+    int seed;   /* of an irregular one                                               */
+    int refine; /* times that its triangles are cut into four                        */
     enum contact_samples contact;
     _Alignas(double) char own[DISCRETIZATION_ROOM]; /* the model's own choices, in a struct
                                                        of its own  */

@@ -59,7 +59,13 @@ const struct schema_key option_shared[] = {
     {"tolerance", "tolerance that ends an iteration; 0: the model's own", SCHEMA_NUMBER, .low = 0,
      .high = 1, IN(tolerance)},
     {"bending", "bending of triangles",
-     OPTION_WORDS([BENDING_QUADRATIC] = "quadratic", [BENDING_HINGE] = "hinge"), IN(bending)},
+     OPTION_WORDS([BENDING_QUADRATIC] = "quadratic", [BENDING_HINGE] = "hinge",
+                  [BENDING_MIDEDGE] = "midedge"), IN(bending)},
+    {"mesh", "grid, diagonal, irregular, or an OBJ file whose vt, or x and y, is the sheet",
+     SCHEMA_TEXT, IN(mesh)},
+    {"seed", "seed of an irregular mesh", SCHEMA_COUNT, .low = 0, .high = 1e9, IN(seed)},
+    {"refine", "times that the triangles of a mesh are cut into four", SCHEMA_COUNT, .low = 0,
+     .high = 6, IN(refine)},
     {"contact", "contact of the surface, or of control points alone (Ren et al. 2024)",
      OPTION_WORDS([CONTACT_SURFACE] = "surface", [CONTACT_NET] = "control_points"), IN(contact)},
     {NULL}};
@@ -79,6 +85,7 @@ bool option_is_set(const struct schema_key *option, const struct discretization 
     const size_t size = option->type == SCHEMA_COUNTS    ? sizeof zero
                         : option->type == SCHEMA_NUMBER  ? sizeof(double)
                         : option->type == SCHEMA_NUMBERS ? sizeof(double *)
+                        : option->type == SCHEMA_TEXT    ? sizeof(char *)
                                                          : sizeof(int);
 
     return memcmp((const char *)d + option->offset, zero, size) != 0;

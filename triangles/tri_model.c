@@ -8,6 +8,11 @@
 #include "models/contact/contact_rest.h"
 #include "models/mechanics/pencil.h"
 
+static double elastic(const struct tri_motion *m, const double *x)
+{
+    return m->meshed ? tri_shell_energy(&m->shell, x) : tri_body_energy(&m->body, x);
+}
+
 /* Makes, once, what steps but swept ones, equilibrium and modes need. */
 static enum status make_march(struct tri_motion *m, struct message *why)
 {
@@ -19,16 +24,19 @@ static enum status make_march(struct tri_motion *m, struct message *why)
     if (m->swept)
         d.integrator = INTEGRATOR_MOMENTUM;
     m->march = (struct march){
-        .body = m->body.body,
+        .body = m->meshed ? m->shell.body : m->body.body,
         .scene = m->net.scene,
-        .graph = &m->triangles.graph,
+        .graph = m->meshed ? &m->shell.graph : &m->triangles.graph,
         .mass = m->net.mass,
         .rest = mesh->rest,
+        .uvw = (const double(*)[3])mesh->uvw,
+        .order = m->order,
         .x = m->net.x,
         .load = m->net.load,
         .net = {mesh->points[0], mesh->points[1], 1},
         .supports = &m->net.supports,
-        .unknowns = "mid-surface points",
+        .unknowns = mesh->nodes > mesh->vertices ? "mid-surface points and turns of edges"
+                                                 : "mid-surface points",
     };
     return march_init_net(&m->march, &d, why);
 }
@@ -58,9 +66,17 @@ static enum status build(struct tri_motion *m, const struct scene *scene,
     enum status st;
 
     TRY(net_init(&m->net, scene, d, why));
-    TRY(tri_net_init(&m->triangles, scene, &m->net.mesh, d->bending));
-    TRY(tri_body_init(&m->body, scene, &m->triangles, OWN(tri_own, d)->membrane));
-    m->rest_energy = tri_body_energy(&m->body, m->net.x);
+    if (m->meshed) {
+        TRY(tri_shell_init(&m->shell, scene, &m->net.mesh, d->bending,
+                           OWN(tri_own, d)->arc == TRI_ARC_ON));
+        TRY(mesh_order(&m->net.mesh, &m->order));
+        if (d->integrator == INTEGRATOR_LEAPFROG)
+            tri_shell_turn_mass(&m->shell, scene->density * scene->thickness, m->net.mass);
+    } else {
+        TRY(tri_net_init(&m->triangles, scene, &m->net.mesh, d->bending));
+        TRY(tri_body_init(&m->body, scene, &m->triangles, OWN(tri_own, d)->membrane));
+    }
+    m->rest_energy = elastic(m, m->net.x);
     if (m->swept) {
         TRY(make_leapfrog(m, d, why));
     } else {
@@ -77,6 +93,8 @@ static void tri_motion_clear(void *motion)
     spring_leapfrog_free(m->leapfrog);
     spring_stencil_clear(&m->stencil);
     march_clear(&m->march);
+    free(m->order);
+    tri_shell_clear(&m->shell);
     tri_body_clear(&m->body);
     tri_net_clear(&m->triangles);
     net_clear(&m->net);
@@ -87,8 +105,11 @@ static void tri_motion_clear(void *motion)
 static enum status tri_motion_init(struct tri_motion *m, const struct scene *scene,
                                    const struct discretization *d, struct message *why)
 {
-    *m = (struct tri_motion){.swept = d->integrator == INTEGRATOR_LEAPFROG &&
+    const bool meshed = !mesh_is_grid(d) || d->bending == BENDING_MIDEDGE;
+
+    *m = (struct tri_motion){.swept = !meshed && d->integrator == INTEGRATOR_LEAPFROG &&
                                       d->bending == BENDING_QUADRATIC,
+                             .meshed = meshed,
                              .asked = *d};
     enum status st = build(m, scene, d, why);
 
@@ -127,12 +148,38 @@ out:
     return st;
 }
 
+/* Gives turns, which have no mass in implicit steps, that of explicit ones, or takes it:
+ * eigenvalues need one, and it changes them with the square of the cells. */
+static enum status weigh_turns(struct tri_motion *m, bool on)
+{
+    const struct mesh *mesh = &m->net.mesh;
+    const struct scene *scene = m->net.scene;
+    double *mass = NULL, *M = (double *)m->march.M; /* made by march_init */
+
+    if (!m->meshed || m->asked.integrator == INTEGRATOR_LEAPFROG)
+        return STATUS_OK;
+    if (!(mass = calloc((size_t)mesh->nodes, sizeof *mass)))
+        return STATUS_MEMORY;
+    if (on)
+        tri_shell_turn_mass(&m->shell, scene->density * scene->thickness, mass);
+    for (int a = mesh->vertices; a < mesh->nodes; a++)
+        M[m->shell.graph.start[a]] = mass[a];
+    free(mass);
+    return STATUS_OK;
+}
+
 static enum status tri_motion_modes(void *state, int count, double *omega,
                                     struct message *why)
 {
-    enum status st = make_march(state, why);
+    struct tri_motion *m = state;
+    enum status st;
 
-    return st == STATUS_OK ? march_modes(state, count, omega, why) : st;
+    TRY(make_march(m, why));
+    TRY(weigh_turns(m, true));
+    TRY(march_modes(state, count, omega, why));
+    TRY(weigh_turns(m, false));
+out:
+    return st;
 }
 
 /* Makes the matrices of the sheet itself: clamps belong to the supports. */
@@ -147,6 +194,8 @@ static enum status tri_motion_matrices(const void *state, struct matrix *K,
     struct tri_body body = {0};
     double(*tangent)[9] = NULL, *mass = NULL;
 
+    if (m->meshed)
+        return STATUS_UNSUPPORTED;
     bare.support_count = 0;
     TRY(mesh_init(&mesh, &bare, m->asked.points));
     TRY(tri_net_init(&net, &bare, &mesh,
@@ -188,7 +237,7 @@ static void tri_motion_energy(const void *state, struct energy *energy)
     if (m->leapfrog)
         spring_leapfrog_velocity(m->leapfrog, m->net.v);
     net_energy(&m->net, m->leapfrog ? m->net.v : m->march.v, energy);
-    energy->elastic = tri_body_energy(&m->body, m->net.x) - m->rest_energy;
+    energy->elastic = elastic(m, m->net.x) - m->rest_energy;
 }
 
 /* clang-format off */
@@ -196,13 +245,44 @@ static const struct schema_key options[] = {
     OPTIONS_NET, {"solver"}, {"preconditioner"}, {"precision"},
     {"integrator", .only = OPTION(INTEGRATOR_MOMENTUM) | OPTION(INTEGRATOR_IMPLICIT) |
                            OPTION(INTEGRATOR_LEAPFROG)},
-    {"bending", .only = OPTION(BENDING_QUADRATIC) | OPTION(BENDING_HINGE)},
+    {"bending", .only = OPTION(BENDING_QUADRATIC) | OPTION(BENDING_HINGE) |
+                        OPTION(BENDING_MIDEDGE)},
+    {"mesh"}, {"seed"}, {"refine"},
     {"membrane", "membrane strain of triangles",
      OPTION_WORDS([MEMBRANE_GREEN] = "green", [MEMBRANE_COROTATIONAL] = "corotational",
                   [MEMBRANE_BARAFF_WITKIN] = "baraff_witkin"),
      OPTION_OWN(tri_own, membrane)},
+    {"arc", "edges longer than their chords by the curvature along them",
+     OPTION_WORDS([TRI_ARC_OFF] = "off", [TRI_ARC_ON] = "on"), OPTION_OWN(tri_own, arc)},
     {NULL}};
 /* clang-format on */
+
+/* Refuses what the sheet on a mesh cannot do, and what a grid has no use for. */
+static enum status refuse_mesh(const struct scene *scene, const struct discretization *d,
+                               struct message *why)
+{
+    const bool grid = mesh_is_grid(d);
+    const char *what = grid ? "bending=midedge" : "a mesh";
+
+    if (grid && (d->seed || d->refine))
+        return status_fail(why, STATUS_INPUT, "%s: of a mesh that is no grid",
+                           d->seed ? "seed" : "refine");
+    if (OWN(tri_own, d)->arc == TRI_ARC_ON && d->bending != BENDING_MIDEDGE)
+        return status_fail(why, STATUS_INPUT, "arc: with bending=midedge only");
+    if (grid && d->bending != BENDING_MIDEDGE)
+        return STATUS_OK;
+    if (scene_sheets(scene) > 1 || scene->shape != SCENE_FLAT)
+        return status_fail(why, STATUS_UNSUPPORTED, "%s: of one flat sheet only", what);
+    if (!grid && contact_wanted(scene))
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "unsupported: no contact on a mesh that is no grid");
+    if (OWN(tri_own, d)->membrane != MEMBRANE_GREEN)
+        return status_fail(why, STATUS_UNSUPPORTED, "%s: with membrane=green only", what);
+    if (scene_needs(scene) & SCENE_NEED_SOFTENING)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "softening: of a grid with bending=quadratic only");
+    return STATUS_OK;
+}
 
 static enum status refuse(const struct scene *scene, const struct discretization *d,
                           struct message *why)
@@ -211,10 +291,11 @@ static enum status refuse(const struct scene *scene, const struct discretization
 
     TRY(model_refuse_net(scene, d, why));
     TRY(contact_rest_refuse(scene, why));
+    TRY(refuse_mesh(scene, d, why));
     if (d->precision == PRECISION_SINGLE && d->integrator != INTEGRATOR_LEAPFROG)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "precision=single: with integrator=leapfrog only");
-    if (d->precision == PRECISION_SINGLE && d->bending == BENDING_HINGE)
+    if (d->precision == PRECISION_SINGLE && d->bending != BENDING_QUADRATIC)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "precision=single: with bending=quadratic only");
     if (scene_needs(scene) & SCENE_NEED_OWN_MATERIALS &&
@@ -267,7 +348,9 @@ static void size(const void *state, struct model_size *size)
     const struct system none = {.held = &m->net.supports};
 
     *size = system_size(m->march.system.factor ? &m->march.system : &none,
-                        "mid-surface points");
+                        m->net.mesh.nodes > m->net.mesh.vertices
+                            ? "mid-surface points and turns of edges"
+                            : "mid-surface points");
 }
 
 /* Describes deviations from the scene's law, and the explicit steps' limit. */
@@ -279,6 +362,17 @@ static void describe(const void *state, struct message *line)
     struct message limit;
 
     march_describe(state, &limit);
+    if (m->meshed) {
+        const struct mesh *mesh = &m->net.mesh;
+        snprintf(line->text, sizeof line->text,
+                 "%d points, %d triangles, %d edges%s%s%.160s", mesh->vertices,
+                 mesh->flat.triangles, mesh->edges,
+                 m->shell.bending == BENDING_HINGE
+                     ? "; hinges bend as the mesh is drawn, and do not converge"
+                     : "",
+                 *limit.text ? "; " : "", limit.text);
+        return;
+    }
     if (l)
         snprintf(limit.text, sizeof limit.text,
                  "explicit steps of %.3g s, stable below %.3g s about rest",

@@ -5,6 +5,7 @@
 #include "models/mechanics/march.h"
 #include "models/net/spring_leapfrog.h"
 #include "triangles/tri_body.h"
+#include "triangles/tri_shell.h"
 
 /* A net of triangles in time.
  *
@@ -14,13 +15,20 @@
  * leapfrog  explicit, second order: spring_leapfrog.h's sweeps; with hinges, whose forces
  *           no sweep knows, integrator_leapfrog.c's steps.
  *
+ * A grid with bending=quadratic or hinge is tri_body.h's; with midedge, or on another mesh,
+ * the sheet is tri_shell.h's.
+ *
  * Mass is lumped: every point has its part of the area. A point has no slope to hold: where
  * a column is held whole, clamps hold it (spring_plate.h); a support that takes the
  * mid-surface or single components alone is a hinge.
  */
 
+/* Whether edges know that they are arcs (tri_shell.h). */
+enum tri_arc { TRI_ARC_OFF, TRI_ARC_ON };
+
 struct tri_own { /* choices of its own (models/option.h) */
     enum membrane membrane;
+    enum tri_arc arc;
 };
 
 struct tri_motion {
@@ -28,8 +36,11 @@ struct tri_motion {
     bool swept;                  /* steps of spring_leapfrog.h                           */
     struct discretization asked; /* integrator, substeps, iterations, solver           */
     struct net net;
+    bool meshed; /* tri_shell.h, else the grid of tri_body.h                           */
     struct tri_net triangles;
     struct tri_body body;
+    struct tri_shell shell;
+    int *order; /* of the nodes of a mesh, for its band                       owned   */
     struct spring_cells cells; /* swept only, as what follows                        */
     struct spring_stencil stencil;
     struct spring_leapfrog *leapfrog; /*                                       owned   */

@@ -147,9 +147,11 @@ enum status march_init(struct march *m, const struct discretization *d, struct m
                                (struct large_foresight){0}, m->K));
         m->stiffness = (const double(*)[9])m->K;
     }
-    TRY(order_wide(m->net[0], m->net[1], m->net[2], &order));
+    if (!m->order)
+        TRY(order_wide(m->net[0], m->net[1], m->net[2], &order));
     TRY(system_init(&m->system, m->graph, m->supports,
-                    m->kinematics == KINEMATICS_LINEAR ? m->parity : NULL, order, d));
+                    m->kinematics == KINEMATICS_LINEAR ? m->parity : NULL,
+                    m->order ? m->order : order, d));
     if (m->integrator->make)
         TRY(m->integrator->make(m, d, why));
 out:

@@ -42,6 +42,7 @@ struct march {
     double *x;              /* [nodes][3] present coefficients; NULL: made here  [m]     */
     double *load; /* [nodes][3] gravity, wind and loads; NULL: made here, of measure [N] */
     int net[3]; /* nodes along u, v, w, numbered w fastest, then v                       */
+    const int *order; /* [nodes] of a factorisation; NULL: by `net`                      */
     struct supports *supports;
     const unsigned char *parity; /* [nodes][3] system.h, linear bodies only; or NULL     */
     const char *unknowns;        /* their basis, in struct model_size                    */

@@ -80,7 +80,10 @@ static enum status assign(const struct scene *scene, int nodes, double (*uvw)[3]
                           int *owner, struct message *why)
 {
     for (int n = 0; n < 3 * nodes; n++)
-        owner[n] = -1;
+        owner[n] =
+            uvw[n / 3][2] == SUPPORTS_NONE || (uvw[n / 3][2] == SUPPORTS_ONE && n % 3)
+                ? SUPPORTS_NOBODY
+                : -1;
     for (int n = 0; n < scene->support_count; n++) {
         const struct scene_support *s = &scene->supports[n];
         int count = 0;
@@ -88,7 +91,7 @@ static enum status assign(const struct scene *scene, int nodes, double (*uvw)[3]
         for (int a = 0; a < nodes; a++) {
             layered |=
                 middle_only(s) && supports_covers(s, (double[]){uvw[a][0], uvw[a][1], 0.5});
-            if (!supports_covers(s, uvw[a]))
+            if (uvw[a][2] <= SUPPORTS_ONE || !supports_covers(s, uvw[a]))
                 continue;
             if (uvw[a][2] < 0 && !full_thickness(s) && !middle_only(s))
                 return status_fail(why, STATUS_UNSUPPORTED,
@@ -135,14 +138,14 @@ enum status supports_init(struct supports *s, const struct scene *scene, int nod
                  ROOM(new.rest, turns ? count : 0)));
     TRY(assign(scene, nodes, uvw, owner, why));
     for (int n = 0; n < (int)count; n++) {
-        new.free_index[n] = owner[n] < 0 ? new.free_count++ : -1;
+        new.free_index[n] = owner[n] == -1 ? new.free_count++ : -1;
         new.carrier[n] = -1;
-        if (owner[n] < 0)
+        if (owner[n] == -1)
             continue;
         if (turns)
             memcpy(new.rest[new.held_count], rest + 3 * (n / 3), sizeof *new.rest);
         new.held[new.held_count] = n;
-        new.moving |= SCENE_MOVES(scene->supports[owner[n]].motion);
+        new.moving |= owner[n] >= 0 && SCENE_MOVES(scene->supports[owner[n]].motion);
         new.owner[new.held_count++] =
             uvw[n / 3][2] == SUPPORTS_DIFFERENCE ? -1 - owner[n] : owner[n];
     }
@@ -165,7 +168,7 @@ enum status supports_allow_rest(const struct supports *s, const struct scene *sc
         return status_fail(why, STATUS_UNSUPPORTED,
                            "unsupported: no static equilibrium with obstacles and supports "
                            "that move");
-    if (!s->held_count && !scene->obstacle_count)
+    if (!scene->support_count && !scene->obstacle_count)
         return status_fail(why, STATUS_INPUT,
                            "static equilibrium needs supports, and the scene has none");
     return STATUS_OK;
@@ -393,7 +396,9 @@ void supports_initial_velocity(const struct supports *s, const struct scene *sce
         scene_initial_velocity(scene, rest + 3 * (size_t)a, v + 3 * (size_t)a);
         for (int i = 0; i < 3; i++) {
             const int u = 3 * a + i;
-            v[u] = difference ? v[u] - of_zero[i] : v[u];
+            v[u] = difference                         ? v[u] - of_zero[i]
+                   : uvw && uvw[a][2] <= SUPPORTS_ONE ? 0
+                                                      : v[u];
         }
     }
     supports_zero(s, v);
@@ -437,6 +442,10 @@ void supports_shift(const struct supports *s, const struct scene *scene, double 
     int placed = -1;
 
     for (int n = 0; n < s->held_count; n++) {
+        if (s->owner[n] == SUPPORTS_NOBODY) {
+            shift[n] = 0;
+            continue;
+        }
         const bool difference = s->owner[n] < 0;
         const int owner = difference ? -1 - s->owner[n] : s->owner[n], i = s->held[n] % 3;
         const struct scene_motion *motion = &scene->supports[owner].motion;

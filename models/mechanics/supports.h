@@ -14,6 +14,15 @@
  * changes. */
 enum { SUPPORTS_MIDDLE = -1, SUPPORTS_DIFFERENCE = -2 };
 
+/* That of a node which is no place but has one unknown, its first component, or none, or
+ * three: supports do not take it, and what is no unknown is held by nobody, as at rest. */
+enum {
+    SUPPORTS_ONE = -3,
+    SUPPORTS_NONE = -4,
+    SUPPORTS_THREE = -5,
+    SUPPORTS_NOBODY = -(1 << 30)
+};
+
 /* A node whose unknowns are not its components along x, y, z but those in a frame: beside a
  * clamped edge the sheet's direction is held, but not how far it stretches that way (a skew
  * support). */
@@ -33,13 +42,14 @@ struct supports_frame {
  * by supports_get and supports_set. */
 struct supports {
     int nodes, free_count, held_count, frame_count;
-    void *room;      /* memory of the arrays                                   owned   */
-    int *free_index; /* [3 nodes] place among the free unknowns, -1 if held            */
-    int *held;       /* [held_count] unknown 3 node + component, ascending             */
-    int *owner;      /* [held_count] the support n that it follows; a difference: -1 - n */
-    int *carrier;    /* [3 nodes] the held unknown whose motion is the first guess of that
-                        of a free one, -1: none; all -1 unless set after init           */
-    bool moving;     /* any of them moves                                              */
+    void *room;        /* memory of the arrays                                   owned   */
+    int *free_index;   /* [3 nodes] place among the free unknowns, -1 if held            */
+    int *held;         /* [held_count] unknown 3 node + component, ascending             */
+    int *owner;        /* [held_count] the support n that it follows; a difference: -1 - n;
+                          SUPPORTS_NOBODY                                                */
+    int *carrier;      /* [3 nodes] the held unknown whose motion is the first guess of that
+                          of a free one, -1: none; all -1 unless set after init           */
+    bool moving;       /* any of them moves                                              */
     double (*rest)[3]; /* [held_count] the node's rest [m] if any turns, else NULL     */
     struct supports_frame *frame; /* [frame_count]                             owned   */
     int *framed; /* [nodes] the node's frame, -1: none; NULL if frame_count == 0  owned  */

@@ -51,9 +51,9 @@ static void set_nodes(struct mesh *mesh, const struct scene *scene)
 
 /* Marks nodes of columns that are held whole, and in all components, by one support or by
  * several. */
-static void find_clamped(struct mesh *mesh, const struct scene *scene)
+void mesh_clamp(struct mesh *mesh, const struct scene *scene)
 {
-    for (int a = 0; a < mesh->nodes; a++) {
+    for (int a = 0; a < mesh->vertices; a++) {
         int fixed = 0;
         for (const struct scene_support *s = scene->supports;
              s < scene->supports + scene->support_count; s++)
@@ -65,6 +65,12 @@ static void find_clamped(struct mesh *mesh, const struct scene *scene)
 
 void mesh_clear(struct mesh *mesh)
 {
+    mesh_flat_clear(&mesh->flat);
+    free(mesh->edge);
+    free(mesh->side);
+    free(mesh->ring_at);
+    free(mesh->bin_at);
+    free(mesh->lists);
     free(mesh->room);
     memset(mesh, 0, sizeof *mesh);
 }
@@ -74,6 +80,7 @@ enum status mesh_init(struct mesh *mesh, const struct scene *scene, const int po
     const int sheets = scene_sheets(scene), nodes = sheets * points[0] * points[1];
     struct mesh new = {
         .nodes = nodes,
+        .vertices = nodes,
         .points = {sheets * points[0], points[1]},
         .rows = points[0],
         .cell = {scene->length / (points[0] - 1), scene->width / (points[1] - 1)}};
@@ -83,7 +90,7 @@ enum status mesh_init(struct mesh *mesh, const struct scene *scene, const int po
     TRY(room_cut(&new.room, ROOM(new.uvw, nodes), ROOM(new.rest, 3 * nodes),
                  ROOM(new.area, nodes), ROOM(new.clamped, nodes)));
     set_nodes(&new, scene);
-    find_clamped(&new, scene);
+    mesh_clamp(&new, scene);
     HAND_OVER(mesh, new);
 out:
     mesh_clear(&new);
@@ -99,7 +106,10 @@ enum status mesh_loads(const struct mesh *mesh, const struct scene *scene, doubl
     if (!scene->load_count)
         return STATUS_OK;
     *dead = calloc(3 * (size_t)mesh->nodes, sizeof **dead);
-    return *dead ? dead_load_add(scene, line, *dead) : STATUS_MEMORY;
+    if (!*dead)
+        return STATUS_MEMORY;
+    return mesh->rows ? dead_load_add(scene, line, *dead)
+                      : mesh_add_loads(mesh, scene, *dead);
 }
 
 enum status mesh_contact(const struct mesh *mesh, const struct scene *scene,
@@ -110,5 +120,6 @@ enum status mesh_contact(const struct mesh *mesh, const struct scene *scene,
 
 enum status mesh_order(const struct mesh *mesh, int **order)
 {
-    return order_wide(mesh->points[0], mesh->points[1], 1, order);
+    return mesh->flat.triangles ? mesh_order_plane(mesh, order)
+                                : order_wide(mesh->points[0], mesh->points[1], 1, order);
 }

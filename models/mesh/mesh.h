@@ -2,6 +2,10 @@
  * theirs of the area, which of them are clamped, and the surface between them. Nobody else
  * knows how points are numbered, but for what goes over a grid's rows and says so.
  *
+ * A mesh has triangles and edges, in any order, and may have a turn at each edge's middle,
+ * or a slope (triangles/tri_shell.h): nodes behind the points, whose first component is the
+ * unknown, or all three are.
+ *
  * A grid has n x m points a sheet, node i m + j of the first at (u,v) = (i/(n-1),
  * j/(m-1)). The rows of several sheets follow each other, and nothing connects the last
  * row of one with the first of the next.
@@ -16,23 +20,50 @@
 #include <stddef.h>
 
 #include "models/contact/contact_surface.h"
+#include "models/discretization.h"
 #include "models/mechanics/supports.h"
+#include "models/mesh/mesh_flat.h"
 
 struct mesh {
-    int nodes;
+    int nodes;        /* points, and turns behind them                                   */
+    int vertices;     /* the points among them                                           */
     int points[2];    /* of a grid: rows of all sheets, points of a row                  */
-    int rows;         /* of one sheet                                                    */
+    int rows;         /* of one sheet; 0: it is no grid */
     double cell[2];   /* a_u, a_v                                                [m]     */
     void *room;       /* memory of the arrays                                    owned   */
     double (*uvw)[3]; /* [nodes] material parameters, w = 1/2                          */
     double *rest;     /* [nodes][3]                                            [m]     */
     double *area;     /* [nodes] of the sheet that is theirs                   [m^2]   */
     bool *clamped;    /* [nodes] of held columns that cannot turn                      */
+    struct mesh_flat flat;  /* triangles; none of a grid without turns          owned   */
+    struct mesh_edge *edge; /*                                                  owned   */
+    int edges, (*side)[3];  /* mesh_flat.h                                       owned   */
+    double scale;   /* of turns and slopes: the mean width of a point           [m]     */
+    double size[2]; /* of the sheet                                     [m]     */
+    void *lists;    /* memory of ring and bin                           owned   */
+    int *ring_at, *ring; /* [vertices + 1] triangles around points                      */
+    int *bin_at, *bin, bins[2]; /* of the plane, to find them                           */
 };
 
 /* Makes the grid of a scene; points: n, m >= 2 of a sheet. */
 enum status mesh_init(struct mesh *mesh, const struct scene *scene, const int points[2]);
+
+/* What a mesh has at edges: nothing; turns, at rest 0; the sheet's slopes across them, at
+ * rest the direction outward from the first triangle, in lengths mesh->scale. */
+enum mesh_edges { MESH_NO_NODES, MESH_TURNS, MESH_SLOPES };
+
+/* Makes the mesh that a discretization asks for, which has nodes at edges only where the
+ * sheet is flat and the only one. STATUS_INPUT with a sentence. */
+enum status mesh_make(struct mesh *mesh, const struct scene *scene,
+                      const struct discretization *d, enum mesh_edges at_edges,
+                      struct message *why);
 void mesh_clear(struct mesh *mesh);
+
+/* Tells whether a discretization asks for a grid. */
+bool mesh_is_grid(const struct discretization *d);
+
+/* Returns the triangle at u, v of a mesh with triangles, and the weights of its points. */
+int mesh_find(const struct mesh *mesh, const double uv[2], double weight[3]);
 
 /* Returns the node di rows and dj places from (i, j), or -1 beyond the rim of its sheet. */
 int mesh_beside(const struct mesh *mesh, int i, int j, int di, int dj);
@@ -43,6 +74,12 @@ bool mesh_on_rim(const struct mesh *mesh, int i, int j, int along);
 /* Tells whether the net has what can bend: three points in line, or a clamp. */
 bool mesh_bends(const struct mesh *mesh);
 
+/* Marks the clamped points. */
+void mesh_clamp(struct mesh *mesh, const struct scene *scene);
+
+/* Adds the scene's loads to f[vertices][3] of a mesh with triangles. */
+enum status mesh_add_loads(const struct mesh *mesh, const struct scene *scene, double *f);
+
 /* Computes the scene's loads on the points, by their hat functions: *dead[nodes][3] [N],
  * owned by the caller; NULL if there are none. */
 enum status mesh_loads(const struct mesh *mesh, const struct scene *scene, double **dead);
@@ -51,8 +88,11 @@ enum status mesh_loads(const struct mesh *mesh, const struct scene *scene, doubl
 enum status mesh_contact(const struct mesh *mesh, const struct scene *scene,
                          struct contact_surface *surface);
 
-/* Makes an order of the points for a factorisation, owned by the caller; NULL: any. */
+/* Makes an order of the nodes for a factorisation, owned by the caller; NULL: any. */
 enum status mesh_order(const struct mesh *mesh, int **order);
+
+/* Makes that of a mesh with triangles: along the longer side of the sheet. */
+enum status mesh_order_plane(const struct mesh *mesh, int **order);
 
 /* Positions of a net: component c of node a at x[a node + c component], borrowed. */
 struct mesh_field {

@@ -115,14 +115,58 @@ static void evaluate_spline(const struct sheet *net, double u, double v, double 
     vector_cross(along, across, normal);
 }
 
+/* Adds the normal of a triangle, as long as twice its area. */
+static void add_normal(const struct mesh *mesh, const struct mesh_field *field, int t,
+                       double normal[3])
+{
+    const int *v = mesh->flat.triangle[t];
+    double e[2][3], n[3];
+
+    for (int c = 0; c < 3; c++) {
+        const double *x = field->x + c * field->component;
+        for (int k = 0; k < 2; k++)
+            e[k][c] = x[v[1 + k] * field->node] - x[v[0] * field->node];
+    }
+    vector_cross(e[0], e[1], n);
+    for (int c = 0; c < 3; c++)
+        normal[c] += n[c];
+}
+
+/* Evaluates the triangles and the mean normal of their points, added to off. */
+static void evaluate_triangle(const struct mesh *mesh, const struct mesh_field *field,
+                              const double *uv, double xyz[3], double *off)
+{
+    double weight[3];
+    const int t = mesh_find(mesh, uv, weight), *v = mesh->flat.triangle[t];
+
+    for (int c = 0; c < 3; c++) {
+        const double *x = field->x + c * field->component;
+        xyz[c] = weight[0] * x[v[0] * field->node] + weight[1] * x[v[1] * field->node] +
+                 weight[2] * x[v[2] * field->node];
+    }
+    for (int k = 0; k < 3; k++) {
+        double its[3] = {0};
+        for (int n = mesh->ring_at[v[k]]; n < mesh->ring_at[v[k] + 1]; n++)
+            add_normal(mesh, field, mesh->ring[n], its);
+        const double length = vector_length(its);
+        for (int c = 0; c < 3 && length > 0; c++)
+            off[c] += weight[k] * its[c] / length;
+    }
+}
+
 void mesh_sample(const struct mesh *mesh, const struct scene *scene,
                  const struct mesh_field *field, int n, const double *uvw, double *xyz)
 {
     for (int t = 0; t < n; t++, uvw += 3, xyz += 3) {
         struct sheet sheet = {mesh->rows, mesh->points[1], *field};
-        double off[3], u;
-        sheet.at.x += scene_sheet_at(scene, uvw[0], &u) * sheet.n * sheet.m * field->node;
-        (field->degree ? evaluate_spline : evaluate)(&sheet, u, uvw[1], xyz, off);
+        double off[3] = {0}, u;
+        if (mesh->rows) {
+            sheet.at.x +=
+                scene_sheet_at(scene, uvw[0], &u) * sheet.n * sheet.m * field->node;
+            (field->degree ? evaluate_spline : evaluate)(&sheet, u, uvw[1], xyz, off);
+        } else {
+            evaluate_triangle(mesh, field, uvw, xyz, off);
+        }
         double length = vector_length(off);
         for (int c = 0; c < 3 && length > 0; c++)
             xyz[c] += (uvw[2] - 0.5) * scene->thickness * (off[c] / length);

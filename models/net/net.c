@@ -38,6 +38,13 @@ void net_clear(struct net *net)
     memset(net, 0, sizeof *net);
 }
 
+static enum mesh_edges at_edges(const struct discretization *d)
+{
+    return d->bending == BENDING_MIDEDGE                         ? MESH_TURNS
+           : d->bending == BENDING_QUADRATIC && !mesh_is_grid(d) ? MESH_SLOPES
+                                                                 : MESH_NO_NODES;
+}
+
 enum status net_init(struct net *net, const struct scene *scene,
                      const struct discretization *d, struct message *why)
 {
@@ -48,7 +55,7 @@ enum status net_init(struct net *net, const struct scene *scene,
     *net = (struct net){.scene = scene,
                         .beta = scenes ? damping_stiffness(scene) : 0,
                         .keep = scenes ? damping_velocity(scene) : 1};
-    TRY(mesh_init(&net->mesh, scene, d->points));
+    TRY(mesh_make(&net->mesh, scene, d, at_edges(d), why));
     TRY(supports_init(&net->supports, scene, mesh->nodes, mesh->uvw, mesh->rest, why));
     TRY(room_cut(&net->room, ROOM(net->mass, mesh->nodes), ROOM(net->drag, mesh->nodes),
                  ROOM(net->load, 3 * mesh->nodes), ROOM(net->x, 3 * mesh->nodes),
@@ -57,7 +64,8 @@ enum status net_init(struct net *net, const struct scene *scene,
     TRY(mesh_loads(mesh, scene, &net->dead));
     set_points(net, d->parameters, scenes ? damping_mass(scene) : 0);
     memcpy(net->x, mesh->rest, 3 * (size_t)mesh->nodes * sizeof *net->x);
-    supports_initial_velocity(&net->supports, scene, mesh->rest, NULL, net->v);
+    supports_initial_velocity(&net->supports, scene, mesh->rest,
+                              (const double(*)[3])mesh->uvw, net->v);
 out:
     if (st != STATUS_OK)
         net_clear(net);

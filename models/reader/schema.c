@@ -422,6 +422,15 @@ static void print_list(const void *values, bool whole, int count, FILE *out)
     fputs("]\n", out);
 }
 
+/* Prints a line of text so that YAML reads it whatever is in it. */
+static void print_text(const char *text, FILE *out)
+{
+    fputc('"', out);
+    for (; *text; text++)
+        fprintf(out, *text == '"' || *text == '\\' ? "\\%c" : "%c", *text);
+    fputs("\"\n", out);
+}
+
 void schema_print(const struct schema_key *keys, const char *prefix, const void *source,
                   FILE *out)
 {
@@ -429,7 +438,8 @@ void schema_print(const struct schema_key *keys, const char *prefix, const void 
         const void *place = (const char *)source + k->offset;
         const int *count = (const void *)((const char *)source + k->count_offset);
 
-        if (!k->what || (k->type == SCHEMA_NUMBERS && !*(double *const *)place))
+        if (!k->what || (k->type == SCHEMA_NUMBERS && !*(double *const *)place) ||
+            (k->type == SCHEMA_TEXT && !*(char *const *)place))
             continue;
         fprintf(out, "%s%s=", prefix, k->key);
         switch (k->type) {
@@ -444,6 +454,9 @@ void schema_print(const struct schema_key *keys, const char *prefix, const void 
             break;
         case SCHEMA_NUMBER:
             fprintf(out, "%.17g\n", *(const double *)place);
+            break;
+        case SCHEMA_TEXT:
+            print_text(*(char *const *)place, out);
             break;
         default:
             assert(k->type == SCHEMA_WORD);

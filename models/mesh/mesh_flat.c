@@ -1,0 +1,324 @@
+#include "models/mesh/mesh_flat.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+void mesh_flat_clear(struct mesh_flat *flat)
+{
+    free(flat->at);
+    free(flat->triangle);
+    memset(flat, 0, sizeof *flat);
+}
+
+static enum status allocate(struct mesh_flat *flat, int nodes, int triangles)
+{
+    *flat =
+        (struct mesh_flat){.at = calloc((size_t)nodes, sizeof *flat->at),
+                           .triangle = calloc((size_t)triangles, sizeof *flat->triangle)};
+    if (flat->at && flat->triangle)
+        return STATUS_OK;
+    mesh_flat_clear(flat);
+    return STATUS_MEMORY;
+}
+
+/* --- edges ------------------------------------------------------------------------------
+ */
+
+/* A triangle's side, by its lower end. */
+struct half {
+    int low, high, triangle, corner;
+};
+
+static int compare(const void *a, const void *b)
+{
+    const struct half *p = a, *q = b;
+
+    if (p->low != q->low)
+        return p->low < q->low ? -1 : 1;
+    if (p->high != q->high)
+        return p->high < q->high ? -1 : 1;
+    return p->triangle < q->triangle ? -1 : p->triangle > q->triangle;
+}
+
+static void list_halves(const struct mesh_flat *flat, struct half *half)
+{
+    for (int t = 0; t < flat->triangles; t++)
+        for (int c = 0; c < 3; c++) {
+            const int a = flat->triangle[t][(c + 1) % 3],
+                      b = flat->triangle[t][(c + 2) % 3];
+            half[3 * t + c] = (struct half){a < b ? a : b, a < b ? b : a, t, c};
+        }
+    qsort(half, 3 * (size_t)flat->triangles, sizeof *half, compare);
+}
+
+enum status mesh_flat_edges(const struct mesh_flat *flat, struct mesh_edge **edge,
+                            int *count, int (**side)[3])
+{
+    const size_t halves = 3 * (size_t)flat->triangles;
+    struct half *half = malloc((halves + 1) * sizeof *half);
+    enum status st = STATUS_OK;
+
+    *count = 0;
+    *edge = malloc((halves + 1) * sizeof **edge);
+    *side = malloc(((size_t)flat->triangles + 1) * sizeof **side);
+    if (!half || !*edge || !*side)
+        TRY(STATUS_MEMORY);
+    list_halves(flat, half);
+    for (size_t n = 0, meet = 0; n < halves; n++) {
+        const struct half *h = &half[n];
+        const int *node = flat->triangle[h->triangle];
+        meet = n && h->low == h[-1].low && h->high == h[-1].high ? meet + 1 : 0;
+        if (meet > 1) {
+            *count = h->triangle;
+            TRY(STATUS_INPUT);
+        }
+        struct mesh_edge *e = meet ? &(*edge)[*count - 1] : &(*edge)[(*count)++];
+        if (meet == 0)
+            *e = (struct mesh_edge){
+                {node[(h->corner + 1) % 3], node[(h->corner + 2) % 3], node[h->corner], -1},
+                {h->triangle, -1}};
+        else
+            e->node[3] = node[h->corner], e->triangle[1] = h->triangle;
+        (*side)[h->triangle][h->corner] = *count - 1;
+    }
+out:
+    free(half);
+    if (st != STATUS_OK) {
+        free(*edge);
+        free(*side);
+        *edge = NULL, *side = NULL;
+    }
+    return st;
+}
+
+/* --- grids ------------------------------------------------------------------------------
+ */
+
+enum status mesh_flat_grid(struct mesh_flat *flat, const struct scene *scene,
+                           const int points[2], bool alternate)
+{
+    const int n = points[0], m = points[1];
+    enum status st = allocate(flat, n * m, 2 * (n - 1) * (m - 1));
+
+    if (st != STATUS_OK)
+        return st;
+    flat->nodes = n * m;
+    for (int a = 0; a < n * m; a++) {
+        flat->at[a][0] = (double)(a / m) / (n - 1) * scene->length;
+        flat->at[a][1] = (double)(a % m) / (m - 1) * scene->width;
+    }
+    for (int a = 0; a < (n - 1) * m; a++) {
+        const int p = a, q = a + m, r = a + m + 1, s = a + 1;
+        const bool falls = alternate && (a / m + a % m) % 2;
+        const int cut[2][3] = {{p, q, falls ? s : r}, {falls ? q : p, r, s}};
+        if (a % m == m - 1)
+            continue;
+        memcpy(flat->triangle[flat->triangles], cut, sizeof cut);
+        flat->triangles += 2;
+    }
+    return STATUS_OK;
+}
+
+/* --- irregular ones ---------------------------------------------------------------------
+ */
+
+/* The most that a point moves, in cells, and the parts in which it does: in each triangles
+ * stay such that turning edges makes them Delaunay's again. */
+static const double MOST = 0.3;
+enum { PARTS = 24, SWEEPS = 64 };
+
+/* Shares of the squared lengths below which four points lie on a circle. */
+static const double ROUND = 1e-10;
+
+/* Returns the next number in [-1, 1]: splitmix64, Steele, Lea and Flood 2014. */
+static double next_random(uint64_t *state)
+{
+    uint64_t z = *state += 0x9e3779b97f4a7c15u;
+
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    z ^= z >> 31;
+    return (double)(z >> 11) / (double)(1ull << 52) - 1;
+}
+
+/* Tells whether a coordinate of a node is fixed, since it is that of a support's edge. */
+static bool is_edge(const struct scene *scene, const double uv[2], int along)
+{
+    const double near = 1e-9;
+
+    for (const struct scene_support *s = scene->supports;
+         s < scene->supports + scene->support_count; s++)
+        if ((fabs(uv[along] - s->lo[along]) < near ||
+             fabs(uv[along] - s->hi[along]) < near) &&
+            uv[1 - along] > s->lo[1 - along] - near &&
+            uv[1 - along] < s->hi[1 - along] + near)
+            return true;
+    return uv[along] < near || uv[along] > 1 - near;
+}
+
+static double area2(const struct mesh_flat *flat, int a, int b, int c)
+{
+    const double(*at)[2] = (const double(*)[2])flat->at;
+
+    return (at[b][0] - at[a][0]) * (at[c][1] - at[a][1]) -
+           (at[b][1] - at[a][1]) * (at[c][0] - at[a][0]);
+}
+
+/* Returns minus the cosine-like measure that is positive where the angles across from an
+ * edge a b, at c and d, are more than 180 degrees together: d lies in c's circle. */
+static double excess(const struct mesh_flat *flat, const int node[4])
+{
+    const double *a = flat->at[node[0]], *b = flat->at[node[1]];
+    double dot[2], cross[2];
+
+    for (int k = 0; k < 2; k++) {
+        const double *c = flat->at[node[2 + k]];
+        const double p[2] = {a[0] - c[0], a[1] - c[1]}, q[2] = {b[0] - c[0], b[1] - c[1]};
+        dot[k] = p[0] * q[0] + p[1] * q[1];
+        cross[k] = fabs(p[0] * q[1] - p[1] * q[0]);
+    }
+    return -(dot[0] * cross[1] + dot[1] * cross[0]);
+}
+
+/* Replaces one of an edge's triangles and the point across in it. */
+static void replace(struct mesh_edge *e, int triangle, int with, int across)
+{
+    const int k = e->triangle[0] == triangle ? 0 : 1;
+
+    e->triangle[k] = with, e->node[2 + k] = across;
+}
+
+static int corner_of(const int triangle[3], int node)
+{
+    return triangle[0] == node ? 0 : triangle[1] == node ? 1 : 2;
+}
+
+/* Turns an edge a b between c and d into d c. */
+static void turn(struct mesh_flat *flat, struct mesh_edge *edge, int (*side)[3], int k)
+{
+    struct mesh_edge *e = &edge[k];
+    const int a = e->node[0], b = e->node[1], c = e->node[2], d = e->node[3];
+    const int s = e->triangle[0], t = e->triangle[1];
+    const int bc = side[s][corner_of(flat->triangle[s], a)];
+    const int ca = side[s][corner_of(flat->triangle[s], b)];
+    const int db = side[t][corner_of(flat->triangle[t], a)];
+    const int ad = side[t][corner_of(flat->triangle[t], b)];
+
+    replace(&edge[ca], s, s, d);
+    replace(&edge[ad], t, s, c);
+    replace(&edge[bc], s, t, d);
+    replace(&edge[db], t, t, c);
+    memcpy(flat->triangle[s], (int[3]){d, c, a}, sizeof *flat->triangle);
+    memcpy(side[s], (int[3]){ca, ad, k}, sizeof *side);
+    memcpy(flat->triangle[t], (int[3]){c, d, b}, sizeof *flat->triangle);
+    memcpy(side[t], (int[3]){db, bc, k}, sizeof *side);
+    *e = (struct mesh_edge){{d, c, a, b}, {s, t}};
+}
+
+/* Turns edges until none has a point in the circle of its triangles (Lawson 1977). */
+static void improve(struct mesh_flat *flat, struct mesh_edge *edge, int edges,
+                    int (*side)[3], double scale)
+{
+    bool turned = true;
+
+    for (int sweep = 0; turned && sweep < SWEEPS; sweep++) {
+        turned = false;
+        for (int k = 0; k < edges; k++) {
+            const int *node = edge[k].node;
+            if (node[3] < 0 || excess(flat, node) <= ROUND * scale ||
+                area2(flat, node[3], node[2], node[0]) <= 0 ||
+                area2(flat, node[2], node[3], node[1]) <= 0)
+                continue;
+            turn(flat, edge, side, k);
+            turned = true;
+        }
+    }
+}
+
+static bool all_good(const struct mesh_flat *flat, double least)
+{
+    for (int t = 0; t < flat->triangles; t++) {
+        const int *node = flat->triangle[t];
+        if (!(area2(flat, node[0], node[1], node[2]) > least))
+            return false;
+    }
+    return true;
+}
+
+static void move(struct mesh_flat *flat, const double (*way)[2], double part)
+{
+    for (int a = 0; a < flat->nodes; a++)
+        for (int i = 0; i < 2; i++)
+            flat->at[a][i] += part * way[a][i];
+}
+
+enum status mesh_flat_jitter(struct mesh_flat *flat, const struct scene *scene,
+                             const int points[2], int seed)
+{
+    const double size[2] = {scene->length, scene->width};
+    const double cell[2] = {size[0] / (points[0] - 1), size[1] / (points[1] - 1)};
+    const double area = cell[0] * cell[1], sliver = 0.02;
+    double(*way)[2] = malloc((size_t)flat->nodes * sizeof *way);
+    struct mesh_edge *edge = NULL;
+    int edges, (*side)[3] = NULL;
+    uint64_t state = (uint64_t)seed;
+    enum status st = STATUS_MEMORY;
+
+    if (!way)
+        goto out;
+    TRY(mesh_flat_edges(flat, &edge, &edges, &side));
+    for (int a = 0; a < flat->nodes; a++)
+        for (int i = 0; i < 2; i++) {
+            const double uv[2] = {flat->at[a][0] / size[0], flat->at[a][1] / size[1]};
+            const double by = next_random(&state);
+            way[a][i] = is_edge(scene, uv, i) ? 0 : MOST * cell[i] * by / PARTS;
+        }
+    for (int n = 0; n < PARTS; n++) {
+        move(flat, (const double(*)[2])way, 1);
+        if (!all_good(flat, sliver * area)) { /* never seen; what is there will do */
+            move(flat, (const double(*)[2])way, -1);
+            break;
+        }
+        improve(flat, edge, edges, side, area * area);
+    }
+out:
+    free(way);
+    free(edge);
+    free(side);
+    return st;
+}
+
+/* --- refinement -------------------------------------------------------------------------
+ */
+
+enum status mesh_flat_refine(struct mesh_flat *flat)
+{
+    struct mesh_flat fine = {0};
+    struct mesh_edge *edge = NULL;
+    int edges, (*side)[3] = NULL;
+    enum status st;
+
+    TRY(mesh_flat_edges(flat, &edge, &edges, &side));
+    TRY(allocate(&fine, flat->nodes + edges, 4 * flat->triangles));
+    fine.nodes = flat->nodes + edges, fine.triangles = 4 * flat->triangles;
+    memcpy(fine.at, flat->at, (size_t)flat->nodes * sizeof *fine.at);
+    for (int e = 0; e < edges; e++)
+        for (int i = 0; i < 2; i++)
+            fine.at[flat->nodes + e][i] =
+                (flat->at[edge[e].node[0]][i] + flat->at[edge[e].node[1]][i]) / 2;
+    for (int t = 0; t < flat->triangles; t++) {
+        const int *v = flat->triangle[t], n = flat->nodes;
+        const int p = n + side[t][0], q = n + side[t][1], r = n + side[t][2];
+        const int four[4][3] = {{v[0], r, q}, {r, v[1], p}, {q, p, v[2]}, {p, q, r}};
+        memcpy(fine.triangle[4 * t], four, sizeof four);
+    }
+    mesh_flat_clear(flat);
+    HAND_OVER(flat, fine);
+out:
+    free(edge);
+    free(side);
+    mesh_flat_clear(&fine);
+    return st;
+}

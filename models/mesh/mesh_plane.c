@@ -1,0 +1,372 @@
+/* mesh_plane.c - meshes of a flat sheet: from triangles in its plane. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "models/mesh/mesh.h"
+#include "models/room.h"
+
+/* Where a load acts along a line that may run along edges: so far, in shares of the sheet,
+ * beside it. */
+static const double BESIDE = 1e-9;
+
+bool mesh_is_grid(const struct discretization *d)
+{
+    return !d->mesh || !strcmp(d->mesh, "grid");
+}
+
+static const double *at(const struct mesh *mesh, int triangle, int corner)
+{
+    return mesh->flat.at[mesh->flat.triangle[triangle][corner]];
+}
+
+/* Returns twice the area between two points and a third. */
+static double area2(const double a[2], const double b[2], const double c[2])
+{
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+/* Computes the weights of a triangle's points at p. */
+static void weights(const struct mesh *mesh, int t, const double p[2], double weight[3])
+{
+    const double *a = at(mesh, t, 0), *b = at(mesh, t, 1), *c = at(mesh, t, 2);
+    const double whole = area2(a, b, c);
+
+    weight[0] = area2(p, b, c) / whole;
+    weight[1] = area2(a, p, c) / whole;
+    weight[2] = 1 - weight[0] - weight[1];
+}
+
+/* --- lists of triangles: around points, and in bins --------------------------------------
+ */
+
+/* Visits the bins that a triangle reaches. */
+static void visit_bins(const struct mesh *mesh, const double size[2], int t, bool fill)
+{
+    int from[2], to[2];
+
+    for (int i = 0; i < 2; i++) {
+        double low = INFINITY, high = -INFINITY;
+        for (int c = 0; c < 3; c++) {
+            low = fmin(low, at(mesh, t, c)[i]);
+            high = fmax(high, at(mesh, t, c)[i]);
+        }
+        from[i] = (int)fmax(floor(low / size[i] * mesh->bins[i] - BESIDE), 0);
+        to[i] =
+            (int)fmin(floor(high / size[i] * mesh->bins[i] + BESIDE), mesh->bins[i] - 1);
+    }
+    for (int i = from[0]; i <= to[0]; i++)
+        for (int j = from[1]; j <= to[1]; j++) {
+            const int b = i * mesh->bins[1] + j;
+            if (fill)
+                mesh->bin[mesh->bin_at[b]++] = t;
+            else
+                mesh->bin_at[b + 1]++;
+        }
+}
+
+static void sum_up(int *from, int count)
+{
+    for (int n = 0; n < count; n++)
+        from[n + 1] += from[n];
+}
+
+/* Turns ends of lists into their starts again. */
+static void shift_back(int *from, int count)
+{
+    memmove(from + 1, from, (size_t)count * sizeof *from);
+    from[0] = 0;
+}
+
+static enum status make_lists(struct mesh *mesh, const double size[2])
+{
+    const int triangles = mesh->flat.triangles, vertices = mesh->vertices;
+    const int bins = (int)fmax(1, sqrt(triangles / 2.));
+    enum status st;
+
+    mesh->bins[0] = mesh->bins[1] = bins;
+    mesh->ring_at = calloc((size_t)vertices + 2, sizeof *mesh->ring_at);
+    mesh->bin_at = calloc((size_t)bins * (size_t)bins + 2, sizeof *mesh->bin_at);
+    if (!mesh->ring_at || !mesh->bin_at)
+        return STATUS_MEMORY;
+    for (int t = 0; t < triangles; t++) {
+        visit_bins(mesh, size, t, false);
+        for (int c = 0; c < 3; c++)
+            mesh->ring_at[mesh->flat.triangle[t][c] + 1]++;
+    }
+    sum_up(mesh->bin_at, bins * bins);
+    sum_up(mesh->ring_at, vertices);
+    TRY(room_cut(&mesh->lists, ROOM(mesh->ring, 3 * triangles),
+                 ROOM(mesh->bin, mesh->bin_at[bins * bins])));
+    for (int t = 0; t < triangles; t++) {
+        visit_bins(mesh, size, t, true);
+        for (int c = 0; c < 3; c++)
+            mesh->ring[mesh->ring_at[mesh->flat.triangle[t][c]]++] = t;
+    }
+    shift_back(mesh->bin_at, bins * bins);
+    shift_back(mesh->ring_at, vertices);
+out:
+    return st;
+}
+
+int mesh_find(const struct mesh *mesh, const double uv[2], double weight[3])
+{
+    const double p[2] = {uv[0] * mesh->size[0], uv[1] * mesh->size[1]};
+    double best = -INFINITY, now[3];
+    int cell[2], found = -1;
+
+    for (int i = 0; i < 2; i++)
+        cell[i] = (int)fmin(fmax(floor(uv[i] * mesh->bins[i]), 0), mesh->bins[i] - 1);
+    const int b = cell[0] * mesh->bins[1] + cell[1];
+    for (int n = mesh->bin_at[b]; n < mesh->bin_at[b + 1]; n++) {
+        weights(mesh, mesh->bin[n], p, now);
+        const double least = fmin(now[0], fmin(now[1], now[2]));
+        if (least <= best)
+            continue;
+        best = least, found = mesh->bin[n];
+        memcpy(weight, now, sizeof now);
+    }
+    return found;
+}
+
+/* --- making one -------------------------------------------------------------------------
+ */
+
+static void set_points(struct mesh *mesh, const struct scene *scene)
+{
+    for (int a = 0; a < mesh->vertices; a++) {
+        mesh->uvw[a][0] = mesh->flat.at[a][0] / scene->length;
+        mesh->uvw[a][1] = mesh->flat.at[a][1] / scene->width;
+        mesh->uvw[a][2] = 0.5;
+        scene_rest_point(scene, mesh->uvw[a], mesh->rest + 3 * (size_t)a);
+    }
+    for (int t = 0; t < mesh->flat.triangles; t++)
+        for (int c = 0; c < 3; c++)
+            mesh->area[mesh->flat.triangle[t][c]] +=
+                area2(at(mesh, t, 0), at(mesh, t, 1), at(mesh, t, 2)) / 6;
+}
+
+/* Those at edges are unknowns, but for edges of which both ends are clamped. */
+static void set_edges(struct mesh *mesh, const struct scene *scene, bool slopes)
+{
+    for (int a = mesh->vertices; a < mesh->nodes; a++) {
+        const int *end = mesh->edge[a - mesh->vertices].node;
+        const double *from = mesh->flat.at[end[0]], *to = mesh->flat.at[end[1]];
+        const double length = hypot(to[0] - from[0], to[1] - from[1]);
+        const double out[2] = {(to[1] - from[1]) / length, (from[0] - to[0]) / length};
+        const struct scene_pose *pose = &scene->pose[0];
+        mesh->uvw[a][2] = mesh->clamped[end[0]] && mesh->clamped[end[1]] ? SUPPORTS_NONE
+                          : slopes                                       ? SUPPORTS_THREE
+                                                                         : SUPPORTS_ONE;
+        for (int i = 0; slopes && i < 3; i++)
+            mesh->rest[3 * (size_t)a + (size_t)i] =
+                mesh->scale * (out[0] * pose->axis_u[i] + out[1] * pose->axis_v[i]);
+    }
+}
+
+static enum status make_flat(struct mesh_flat *flat, const struct scene *scene,
+                             const struct discretization *d, struct message *why)
+{
+    const bool irregular = d->mesh && !strcmp(d->mesh, "irregular");
+    const bool diagonal = d->mesh && !strcmp(d->mesh, "diagonal");
+    enum status st;
+
+    if (mesh_is_grid(d) || irregular || diagonal)
+        TRY(mesh_flat_grid(flat, scene, d->points, !diagonal));
+    else
+        TRY(mesh_flat_read(flat, scene, d->mesh, why));
+    if (irregular)
+        TRY(mesh_flat_jitter(flat, scene, d->points, d->seed));
+    for (int n = 0; n < d->refine; n++)
+        TRY(mesh_flat_refine(flat));
+out:
+    return st;
+}
+
+enum status mesh_make(struct mesh *mesh, const struct scene *scene,
+                      const struct discretization *d, enum mesh_edges at_edges,
+                      struct message *why)
+{
+    const bool turns = at_edges != MESH_NO_NODES;
+    struct mesh new = {.size = {scene->length, scene->width}};
+    enum status st;
+
+    if (mesh_is_grid(d) && !turns)
+        return mesh_init(mesh, scene, d->points);
+    TRY(make_flat(&new.flat, scene, d, why));
+    TRY(mesh_flat_edges(&new.flat, &new.edge, &new.edges, &new.side));
+    new.vertices = new.flat.nodes;
+    new.nodes = new.vertices + (turns ? new.edges : 0);
+    if (mesh_is_grid(d) && !d->refine) {
+        new.rows = new.points[0] = d->points[0], new.points[1] = d->points[1];
+        new.cell[0] = scene->length / (d->points[0] - 1);
+        new.cell[1] = scene->width / (d->points[1] - 1);
+    }
+    TRY(room_cut(&new.room, ROOM(new.uvw, new.nodes), ROOM(new.rest, 3 * new.nodes),
+                 ROOM(new.area, new.nodes), ROOM(new.clamped, new.nodes)));
+    set_points(&new, scene);
+    mesh_clamp(&new, scene);
+    new.scale = sqrt(scene->length * scene->width / new.vertices);
+    set_edges(&new, scene, at_edges == MESH_SLOPES);
+    TRY(make_lists(&new, new.size));
+    HAND_OVER(mesh, new);
+out:
+    mesh_clear(&new);
+    return st;
+}
+
+/* --- order ------------------------------------------------------------------------------
+ */
+
+struct place {
+    double along;
+    int node;
+};
+
+static int compare(const void *a, const void *b)
+{
+    const struct place *p = a, *q = b;
+
+    return p->along != q->along ? (p->along < q->along ? -1 : 1)
+                                : (p->node > q->node) - (p->node < q->node);
+}
+
+enum status mesh_order_plane(const struct mesh *mesh, int **order)
+{
+    const int i = mesh->size[0] >= mesh->size[1] ? 0 : 1;
+    struct place *place = malloc((size_t)mesh->nodes * sizeof *place);
+
+    *order = malloc((size_t)mesh->nodes * sizeof **order);
+    for (int a = 0; place && *order && a < mesh->nodes; a++) {
+        const int *end = a < mesh->vertices ? NULL : mesh->edge[a - mesh->vertices].node;
+        place[a].node = a;
+        place[a].along = end ? (mesh->flat.at[end[0]][i] + mesh->flat.at[end[1]][i]) / 2
+                             : mesh->flat.at[a][i];
+    }
+    if (!place || !*order) {
+        free(place);
+        free(*order);
+        *order = NULL;
+        return STATUS_MEMORY;
+    }
+    qsort(place, (size_t)mesh->nodes, sizeof *place, compare);
+    for (int k = 0; k < mesh->nodes; k++)
+        (*order)[k] = place[k].node;
+    free(place);
+    return STATUS_OK;
+}
+
+/* --- loads ------------------------------------------------------------------------------
+ */
+
+enum { MOST_CORNERS = 8 };
+
+/* A convex polygon. */
+struct polygon {
+    int count;
+    double at[MOST_CORNERS][2];
+};
+
+/* Cuts off what lies beyond a line across `along`: below it, or above. */
+static void cut(struct polygon *p, int along, double line, bool below)
+{
+    struct polygon left = {0};
+
+    for (int n = 0; n < p->count; n++) {
+        const double *a = p->at[n], *b = p->at[(n + 1) % p->count];
+        const double da = below ? a[along] - line : line - a[along];
+        const double db = below ? b[along] - line : line - b[along];
+        if (da >= 0)
+            memcpy(left.at[left.count++], a, sizeof *left.at);
+        if (da * db < 0)
+            for (int i = 0; i < 2; i++)
+                left.at[left.count][i] = a[i] + da / (da - db) * (b[i] - a[i]);
+        left.count += da * db < 0;
+    }
+    *p = left;
+}
+
+/* Adds to `share` the integrals of a triangle's hat functions over what a load's place,
+ * lo[2] to hi[2], has of it: over an area, along a line, or at a point. */
+static void add_integrals(const struct mesh *mesh, int t, const double lo[2],
+                          const double hi[2], double *share)
+{
+    const bool flat[2] = {hi[0] <= lo[0], hi[1] <= lo[1]};
+    struct polygon p = {3};
+    double w[3], middle[2];
+
+    for (int c = 0; c < 3; c++)
+        memcpy(p.at[c], at(mesh, t, c), sizeof *p.at);
+    for (int i = 0; i < 2; i++) {
+        if (flat[i])
+            continue;
+        cut(&p, i, lo[i], true);
+        cut(&p, i, hi[i], false);
+    }
+    for (int n = 0; !flat[0] && !flat[1] && n + 2 < p.count; n++) {
+        const double part = area2(p.at[0], p.at[n + 1], p.at[n + 2]) / 2;
+        for (int i = 0; i < 2; i++)
+            middle[i] = (p.at[0][i] + p.at[n + 1][i] + p.at[n + 2][i]) / 3;
+        weights(mesh, t, middle, w);
+        for (int c = 0; c < 3; c++)
+            share[mesh->flat.triangle[t][c]] += part * w[c];
+    }
+    if (flat[0] == flat[1])
+        return;
+    const int across = flat[0] ? 0 : 1;
+    double end[2] = {INFINITY, -INFINITY}; /* of the line in the polygon */
+    for (int n = 0; n < p.count; n++) {
+        const double *a = p.at[n], *b = p.at[(n + 1) % p.count];
+        const double da = a[across] - lo[across], db = b[across] - lo[across];
+        if (da * db >= 0)
+            continue;
+        const double cross =
+            a[1 - across] + da / (da - db) * (b[1 - across] - a[1 - across]);
+        end[0] = fmin(end[0], cross), end[1] = fmax(end[1], cross);
+    }
+    if (!(end[1] > end[0]))
+        return;
+    middle[across] = lo[across], middle[1 - across] = (end[0] + end[1]) / 2;
+    weights(mesh, t, middle, w);
+    for (int c = 0; c < 3; c++)
+        share[mesh->flat.triangle[t][c]] += (end[1] - end[0]) * w[c];
+}
+
+/* Adds a load's force, shared by its integrals of the hat functions. */
+static void add_load(const struct mesh *mesh, const struct scene_load *load, double *share,
+                     double *f)
+{
+    double lo[2], hi[2], sum = 0, w[3];
+
+    memset(share, 0, (size_t)mesh->vertices * sizeof *share);
+    for (int i = 0; i < 2; i++) {
+        const bool flat = load->hi[i] <= load->lo[i];
+        const double beside = fmin(load->lo[i] + BESIDE, 1 - BESIDE);
+        lo[i] = (flat ? beside : load->lo[i]) * mesh->size[i];
+        hi[i] = flat ? lo[i] : load->hi[i] * mesh->size[i];
+    }
+    if (hi[0] <= lo[0] && hi[1] <= lo[1]) {
+        const int t = mesh_find(mesh, load->lo, w);
+        for (int c = 0; c < 3; c++)
+            share[mesh->flat.triangle[t][c]] = w[c];
+    } else {
+        for (int t = 0; t < mesh->flat.triangles; t++)
+            add_integrals(mesh, t, lo, hi, share);
+    }
+    for (int a = 0; a < mesh->vertices; a++)
+        sum += share[a];
+    for (int n = 0; n < 3 * mesh->vertices; n++)
+        f[n] += share[n / 3] / sum * load->force[n % 3];
+}
+
+enum status mesh_add_loads(const struct mesh *mesh, const struct scene *scene, double *f)
+{
+    double *share = malloc((size_t)mesh->vertices * sizeof *share);
+
+    if (!share)
+        return STATUS_MEMORY;
+    for (int n = 0; n < scene->load_count; n++)
+        add_load(mesh, &scene->loads[n], share, f);
+    free(share);
+    return STATUS_OK;
+}

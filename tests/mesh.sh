@@ -1,0 +1,66 @@
+#!/usr/bin/env bash
+# A sheet on a mesh as a user meets it: an OBJ file runs, its vertices in any order; what is
+# wrong with one is a sentence with its file and line, and exit 2; so is what a model doesn't do
+# on a mesh.
+#   mesh.sh PROGRAM
+program=$1
+# shellcheck source=tests/fixture.sh
+. "$(dirname "$0")/fixture.sh"
+
+own_folder
+
+grid() { # N: an OBJ of N x N points with vt, from the far corner on
+    awk -v n="$1" 'BEGIN {
+        for (k = n * n - 1; k >= 0; k--) {
+            u = int(k / n) / (n - 1); v = k % n / (n - 1)
+            printf "v %g %g 7\nvt %g %g\n", u, v, u, v
+        }
+        for (i = 0; i < n - 1; i++)
+            for (j = 0; j < n - 1; j++) {
+                a = n * n - (i * n + j); b = a - n
+                printf "f %d/%d %d/%d %d/%d %d/%d\n", a, a, b, b, b - 1, b - 1, a - 1, a - 1
+            }
+    }'
+}
+set_mesh() { # SETTING...: of a short run
+    local args=(run edge_drop --model triangles --set time.end=0.01 --set 'snapshots=[]')
+    for setting in "$@"; do
+        args+=(--set "discretization.$setting")
+    done
+    printf '%s\n' "${args[@]}"
+}
+runs() { mapfile -t args < <(set_mesh "$@"); good "${args[@]}"; }
+says() { # SENTENCE SETTING...
+    local sentence=$1
+    shift
+    mapfile -t args < <(set_mesh "$@")
+    ends 2 "${args[@]}"
+    grep -qF -- "$sentence" err || fail "$*: does not say '$sentence': $(<err)"
+}
+
+grid 6 >good.obj
+for bending in quadratic midedge hinge; do
+    runs mesh=good.obj "bending=$bending"
+    runs mesh=irregular seed=3 'points=[6,5]' "bending=$bending" integrator=leapfrog
+done
+runs mesh=good.obj refine=1 bending=midedge arc=on integrator=implicit
+runs mesh=diagonal 'points=[6,5]'
+
+# a result file holds the mesh's name, and ends where the same run without a file does
+cp good.obj 'a "mesh".obj'
+mapfile -t args < <(set_mesh 'mesh=a "mesh".obj')
+good "${args[@]}" --out result.h5
+grep -aqF 'discretization.mesh="a \"mesh\".obj"' result.h5 || fail 'no mesh in the result file'
+
+sed '20s/.*/v one two/' good.obj >bad.obj
+says 'bad.obj:20: a point needs numbers' mesh=bad.obj
+sed '$d' good.obj >hole.obj
+says 'inside the sheet' mesh=hole.obj
+says 'none.obj' mesh=none.obj
+says 'refine: of a mesh that is no grid' refine=1
+says 'arc: with bending=midedge only' mesh=irregular arc=on
+says 'a mesh: with membrane=green only' mesh=irregular membrane=corotational
+ends 2 run sphere --model triangles --set discretization.mesh=irregular
+grep -q 'no contact on a mesh that is no grid' err || fail "contact on a mesh: $(<err)"
+ends 2 run edge_drop --model mass_spring --set discretization.mesh=irregular
+exit $((failures > 0))

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "mass_spring/spring_rest.h"
+#include "mass_spring/spring_motion.h"
 #include "models/contact/contact_rest.h"
 
 /* clang-format off */
@@ -80,12 +80,8 @@ static void size(const void *state, struct model_size *size)
 {
     const struct spring_motion *m = state;
     const struct system none = {.held = &m->net.supports};
-    const struct system *system =
-        m->integrator == INTEGRATOR_MOMENTUM ? &m->march.system : &m->newton.system;
-    bool implicit =
-        m->integrator == INTEGRATOR_IMPLICIT || m->integrator == INTEGRATOR_MOMENTUM;
 
-    *size = system_size(implicit && system->graph ? system : &none, "mid-surface points");
+    *size = system_size(m->march.graph ? &m->march.system : &none, "mid-surface points");
 }
 
 /* Describes the misfit of springs to plane stress, and the explicit method's limit. */
@@ -123,6 +119,6 @@ const struct model spring_model = {
     .describe = describe,
     .energy = spring_motion_energy,
     .contact = spring_motion_contact,
-    .equilibrium = spring_rest_equilibrium,
+    .equilibrium = spring_motion_rest,
     .clear = spring_motion_clear,
 };

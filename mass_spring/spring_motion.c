@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/mechanics/frames.h"
 #include "models/mechanics/frequency.h"
 #include "models/room.h"
 #include "models/vector.h"
@@ -15,52 +16,150 @@ static const double LIMIT_SHARE = 0.8;
 /* Newton's tolerance, in rest lengths of the shortest spring. */
 static const double DEFAULT_TOLERANCE = 1e-6;
 
+/* Tolerances of conjugate gradients: for a change that others follow, and for one alone. */
+static const double LINEAR_TOLERANCE = 1e-2, LAST_TOLERANCE = 1e-4;
+
+static size_t count_of(const struct spring_motion *m)
+{
+    return 3 * (size_t)m->net.mesh.nodes;
+}
+
+static bool in_squares(const struct spring_motion *m)
+{
+    return m->integrator == INTEGRATOR_LEAPFROG || m->integrator == INTEGRATOR_MOMENTUM;
+}
+
+static bool marches(const struct spring_motion *m)
+{
+    return m->integrator == INTEGRATOR_IMPLICIT || m->integrator == INTEGRATOR_MOMENTUM;
+}
+
 static enum status allocate(struct spring_motion *m)
 {
-    size_t nodes = (size_t)m->net.mesh.nodes;
-    size_t pairs = (size_t)m->springs.graph.start[nodes];
+    const size_t count = count_of(m),
+                 pairs = (size_t)m->springs.graph.start[m->net.mesh.nodes];
+    const bool explicit = m->integrator == INTEGRATOR_EXPLICIT;
 
-    return room_cut(&m->room, ROOM(m->weight, nodes), ROOM(m->start, 3 * nodes),
-                    ROOM(m->target, 3 * nodes), ROOM(m->gain, SPRING_GAINS * 3 * nodes),
-                    ROOM(m->V, m->net.beta > 0 ? pairs : 0));
+    return room_cut(&m->room, ROOM(m->start, explicit ? count : 0),
+                    ROOM(m->f, explicit ? count : 0),
+                    ROOM(m->V, explicit && m->net.beta > 0 ? pairs : 0));
 }
 
-/* Finds the largest angular frequency about rest; newton.K is work. */
+/* --- the march ------------------------------------------------------------------------ */
+
+static void frames(const void *motion, double (*Q)[9])
+{
+    const struct spring_motion *m = motion;
+    const int points[3] = {m->net.mesh.rows, m->net.mesh.points[1], 1};
+    const int nodes = points[0] * points[1];
+
+    for (int first = 0; first < m->net.mesh.nodes; first += nodes)
+        frames_of_net(points, false, m->net.x + 3 * (size_t)first, Q + first);
+}
+
+/* Makes, once, what implicit steps and equilibrium need. */
+static enum status make_march(struct spring_motion *m, struct message *why)
+{
+    enum status st;
+    struct discretization d = *m->asked;
+    const bool implicit = m->integrator == INTEGRATOR_IMPLICIT;
+
+    if (m->march.graph)
+        return STATUS_OK;
+    if (!marches(m))
+        d.integrator = INTEGRATOR_MOMENTUM, d.substeps = 0, d.iterations = 0;
+    if (!in_squares(m)) {
+        d.newton = NEWTON_FULL; /* a tangent costs no more than two of its solutions */
+        if (d.solver == SOLVER_AUTO)
+            d.solver = SOLVER_CG; /* on an earlier factor */
+    }
+    if (in_squares(m))
+        TRY(spring_strips_init(&m->strips, &m->stencil));
+    else if (m->integrator != INTEGRATOR_EXPLICIT)
+        TRY(spring_lengths_init(&m->lengths, &m->springs));
+    m->march = (struct march){
+        .body = in_squares(m) ? m->strips.body : m->lengths.body,
+        .scene = m->net.scene,
+        .graph = &m->springs.graph,
+        .mass = m->net.mass,
+        .drag = m->asked->parameters == PARAMETERS_PAPER ? m->net.drag : NULL,
+        .rest = m->net.mesh.rest,
+        .x = m->net.x,
+        .load = m->net.load,
+        .net = {m->net.mesh.points[0], m->net.mesh.points[1], 1},
+        .supports = &m->net.supports,
+        .unknowns = "mid-surface points",
+        .learns = implicit,
+        .tolerance = (d.tolerance > 0 ? d.tolerance
+                      : implicit      ? DEFAULT_TOLERANCE
+                                      : 0) *
+                     fmin(m->net.mesh.cell[0], m->net.mesh.cell[1]),
+    };
+    TRY(march_init_net(&m->march, &d, why));
+    if (!in_squares(m)) {
+        m->march.loose = d.iterations == 1 ? LAST_TOLERANCE : LINEAR_TOLERANCE;
+        system_single(&m->march.system);
+        TRY(iterative_follow(m->march.system.iterative, frames, m, false));
+    }
+out:
+    if (st != STATUS_OK) {
+        march_clear(&m->march);
+        spring_strips_clear(&m->strips);
+        if (m->integrator != INTEGRATOR_EXPLICIT)
+            spring_lengths_clear(&m->lengths);
+    }
+    return st;
+}
+
+enum status spring_motion_rest(void *motion, struct counters *counters, struct message *why)
+{
+    enum status st;
+    struct spring_motion *m = motion;
+
+    TRY(make_march(m, why));
+    TRY(march_equilibrium(motion, counters, why));
+    spring_motion_place(m, m->march.time);
+out:
+    return st;
+}
+
+/* --- explicit steps ------------------------------------------------------------------- */
+
+/* Finds the largest angular frequency about rest. */
 static enum status rest_frequency(struct spring_motion *m, double *omega)
 {
-    spring_force_jacobian(&m->springs, m->net.mesh.rest, m->newton.K);
-    return frequency_largest(&m->springs.graph, &m->net.supports, m->net.mass, NULL,
-                             (const double(*)[9])m->newton.K, omega);
+    const size_t pairs = (size_t)m->springs.graph.start[m->net.mesh.nodes];
+    double(*K)[9] = malloc(pairs * sizeof *K);
+
+    if (!K)
+        return STATUS_MEMORY;
+    spring_force_jacobian(&m->springs, m->net.mesh.rest, K);
+    const enum status st =
+        frequency_largest(&m->springs.graph, &m->net.supports, m->net.mass, NULL,
+                          (const double(*)[9])K, omega);
+    free(K);
+    return st;
 }
 
-/* Sets the length of a step. */
-static void set_step(struct spring_motion *m, double dt)
+static enum status make_explicit(struct spring_motion *m, const struct discretization *d,
+                                 struct message *why)
 {
-    m->dt = dt;
-    for (int a = 0; a < m->net.mesh.nodes; a++)
-        m->weight[a] = m->net.mass[a] / (dt * dt) + m->net.drag[a] / dt;
-    if (!m->net.contact)
-        return;
-    m->net.contact->steps = (int)lround(m->net.scene->step / dt), m->net.contact->dt = dt;
-    for (int a = 0; a < m->net.mesh.nodes; a++)
-        m->net.contact->compliance[a] = 1 / m->weight[a];
-}
-
-static enum status set_steps(struct spring_motion *m, const struct discretization *d,
-                             struct message *why)
-{
-    enum status st = STATUS_OK;
+    enum status st;
     double omega;
 
-    m->substeps = d->substeps > 0 ? d->substeps : 1;
-    if (m->integrator == INTEGRATOR_EXPLICIT) {
-        TRY(rest_frequency(m, &omega));
-        m->limit = frequency_limit(omega, m->net.beta);
-        TRY(frequency_steps(m->net.scene->step, m->limit, LIMIT_SHARE, d->substeps,
-                            &m->substeps, why));
-    }
+    TRY(spring_lengths_init(&m->lengths, &m->springs));
+    TRY(rest_frequency(m, &omega));
+    m->limit = frequency_limit(omega, m->net.beta);
+    TRY(frequency_steps(m->net.scene->step, m->limit, LIMIT_SHARE, d->substeps,
+                        &m->substeps, why));
+    m->dt = m->net.scene->step / m->substeps;
     TRY(net_meet(&m->net));
-    set_step(m, m->net.scene->step / m->substeps);
+    if (!m->net.contact)
+        return STATUS_OK;
+    m->net.contact->steps = m->substeps, m->net.contact->dt = m->dt;
+    for (int a = 0; a < m->net.mesh.nodes; a++)
+        m->net.contact->compliance[a] =
+            1 / (m->net.mass[a] / (m->dt * m->dt) + m->net.drag[a] / m->dt);
 out:
     return st;
 }
@@ -84,34 +183,8 @@ static enum status make_leapfrog(struct spring_motion *m, const struct discretiz
     enum status st;
     const struct spring_body body = {.net = &m->net, .stencil = &m->stencil};
 
-    TRY(make_stencil(m, d));
     TRY(spring_leapfrog_make(&body, d->precision, d->substeps, &m->leapfrog, why));
     m->limit = spring_leapfrog_limit(m->leapfrog);
-out:
-    return st;
-}
-
-static enum status make_march(struct spring_motion *m, const struct discretization *d,
-                              struct message *why)
-{
-    enum status st;
-
-    m->dt = m->net.scene->step;
-    TRY(make_stencil(m, d));
-    TRY(spring_strips_init(&m->strips, &m->stencil));
-    m->march = (struct march){
-        .body = m->strips.body,
-        .scene = m->net.scene,
-        .graph = &m->springs.graph,
-        .mass = m->net.mass,
-        .rest = m->net.mesh.rest,
-        .x = m->net.x,
-        .load = m->net.load,
-        .net = {m->net.mesh.points[0], m->net.mesh.points[1], 1},
-        .supports = &m->net.supports,
-        .unknowns = "mid-surface points",
-    };
-    TRY(march_init_net(&m->march, d, why));
 out:
     return st;
 }
@@ -122,9 +195,9 @@ void spring_motion_clear(void *motion)
 
     march_clear(&m->march);
     spring_strips_clear(&m->strips);
+    spring_lengths_clear(&m->lengths);
     spring_stencil_clear(&m->stencil);
     spring_leapfrog_free(m->leapfrog);
-    spring_newton_clear(&m->newton);
     spring_net_clear(&m->springs);
     net_clear(&m->net);
     free(m->room);
@@ -135,27 +208,20 @@ enum status spring_motion_init(struct spring_motion *m, const struct scene *scen
                                const struct discretization *d, struct message *why)
 {
     enum status st;
-    bool squares =
-        d->integrator == INTEGRATOR_LEAPFROG || d->integrator == INTEGRATOR_MOMENTUM;
 
-    *m = (struct spring_motion){.integrator = d->integrator,
+    *m = (struct spring_motion){.asked = d,
+                                .integrator = d->integrator,
+                                .dt = scene->step,
                                 .degree = (int[]){0, 2, 3}[OWN(spring_own, d)->surface],
                                 .strain_limit = OWN(spring_own, d)->strain_limit};
     TRY(net_init(&m->net, scene, d, why));
-    TRY(spring_net_init(&m->springs, scene, &m->net.mesh, d->parameters, squares));
-    TRY(spring_newton_init(&m->newton, &m->springs, &m->net.supports, d));
-    if (!squares)
-        TRY(spring_newton_system(&m->newton));
+    TRY(spring_net_init(&m->springs, scene, &m->net.mesh, d->parameters, in_squares(m)));
     TRY(allocate(m));
-    m->limits.iterations = d->iterations;
-    m->limits.tolerance = (d->tolerance > 0 ? d->tolerance : DEFAULT_TOLERANCE) *
-                          fmin(m->net.mesh.cell[0], m->net.mesh.cell[1]);
-    if (m->integrator == INTEGRATOR_LEAPFROG)
-        TRY(make_leapfrog(m, d, why));
-    else if (m->integrator == INTEGRATOR_MOMENTUM)
-        TRY(make_march(m, d, why));
-    else
-        TRY(set_steps(m, d, why));
+    if (in_squares(m))
+        TRY(make_stencil(m, d));
+    TRY(marches(m)                             ? make_march(m, why)
+        : m->integrator == INTEGRATOR_LEAPFROG ? make_leapfrog(m, d, why)
+                                               : make_explicit(m, d, why));
     m->rest_energy = spring_motion_elastic(m);
 out:
     if (st != STATUS_OK)
@@ -163,108 +229,16 @@ out:
     return st;
 }
 
-/* Takes it where a step begins: what the step solves for is then the minimum of a
- * potential, and of first order all the same, as Euler's methods are
- * (tests/physics/time_order.c). */
-static void damping_matrix(struct spring_motion *m)
+/* Takes a step to time t, v from the forces at the start, x from v. */
+static void step_explicit(struct spring_motion *m, double t, struct counters *counters)
 {
-    if (m->net.beta > 0)
-        spring_force_clamped(&m->springs, m->net.x, m->newton.hinges, m->V);
-}
+    const size_t count = count_of(m);
+    double *f = m->f, dt = m->dt;
 
-/* Guesses the end of an implicit step: its velocity by extrapolating the last ones' gains,
- * by a polynomial. Not where a step is linearised once, at its start. */
-static void guess(struct spring_motion *m)
-{
-    size_t count = 3 * (size_t)m->net.mesh.nodes;
-
-    if (m->limits.iterations == 1)
-        return;
-    for (size_t n = 0; n < count; n++) {
-        double v = m->net.v[n];
-        for (int k = 0; k < m->gains; k++)
-            v += m->gain[k * count + n];
-        m->net.x[n] += m->dt * v;
-    }
-}
-
-/* Enters the last gain, change[nodes][3], which is used up, and chooses by how many
- * differences the next is extrapolated: as many as would have foretold this one best, which
- * after a start, with zeros for what is not known, is one; none under contact. */
-static void learn(struct spring_motion *m, double *change)
-{
-    size_t count = 3 * (size_t)m->net.mesh.nodes;
-    double least = INFINITY;
-
-    for (int k = 0; k <= SPRING_GAINS; k++) {
-        double *known = m->gain + k * count, size = 0;
-        for (size_t n = 0; n < count; n++)
-            size += change[n] * change[n];
-        if (k > 0 && size < least)
-            least = size, m->gains = k;
-        for (size_t n = 0; k < SPRING_GAINS && n < count; n++) {
-            double was = known[n];
-            known[n] = change[n];
-            change[n] -= was;
-        }
-    }
-    if (m->net.contact && m->net.contact->law.count)
-        m->gains = 0;
-}
-
-/* Computes v. */
-static enum status end_step(struct spring_motion *m)
-{
-    size_t count = 3 * (size_t)m->net.mesh.nodes;
-    double *change = m->start;
-    enum status st = STATUS_OK;
-
-    for (size_t n = 0; n < count; n++) {
-        double v = (m->net.x[n] - m->start[n]) / m->dt;
-        change[n] = v - m->net.v[n];
-        m->net.v[n] = v;
-        if (!isfinite(v))
-            st = STATUS_NAN;
-    }
-    if (m->integrator == INTEGRATOR_IMPLICIT && m->limits.iterations != 1)
-        learn(m, change);
-    return st;
-}
-
-static enum status step_implicit(struct spring_motion *m, double t,
-                                 struct counters *counters)
-{
-    size_t count = 3 * (size_t)m->net.mesh.nodes;
-    double dt = m->dt;
-    struct spring_problem p = {.weight = m->weight,
-                               .target = m->target,
-                               .load = m->net.load,
-                               .viscosity = m->net.beta / dt,
-                               .V = (const double(*)[9])m->V,
-                               .start = m->start,
-                               .contact = m->net.contact ? &m->net.contact->law : NULL};
-
-    damping_matrix(m);
-    for (size_t n = 0; n < count; n++)
-        m->target[n] =
-            m->net.x[n] + m->net.v[n] * (m->net.mass[n / 3] / (dt * m->weight[n / 3]));
-    guess(m);
-    net_contact_begin(m->net.contact, t, m->start);
-    if (m->net.contact && m->limits.iterations != 1)
-        contact_lead(&m->net.contact->law, m->net.x);
-    net_hold(&m->net, t);
-    return spring_newton_solve(&m->newton, &p, &m->limits, m->net.x, counters);
-}
-
-static enum status step_explicit(struct spring_motion *m, double t,
-                                 struct counters *counters)
-{
-    size_t count = 3 * (size_t)m->net.mesh.nodes;
-    double *f = m->target, dt = m->dt;
-
-    damping_matrix(m);
-    if (m->net.beta > 0)
+    if (m->net.beta > 0) {
+        spring_force_clamped(&m->springs, m->net.x, m->lengths.hinges, m->V);
         blocks_multiply(&m->springs.graph, (const double(*)[9])m->V, m->net.v, f);
+    }
     for (size_t n = 0; n < count; n++)
         f[n] = m->net.load[n] - (m->net.beta > 0 ? m->net.beta * f[n] : 0);
     spring_force_add(&m->springs, m->net.x, f);
@@ -275,7 +249,6 @@ static enum status step_explicit(struct spring_motion *m, double t,
     net_hold(&m->net, t);
     counters->assemblies++;
     counters->solves++;
-    return STATUS_OK;
 }
 
 /* --- Provot's inverse procedure (Provot 1995, section 4.2) -------------------------------
@@ -337,63 +310,56 @@ void spring_motion_limit(const struct spring_net *net, const struct supports *su
 /* --- steps ---------------------------------------------------------------------------
  */
 
-/* The most times that a step which dies is halved, with its halves in turn. */
-enum { HALVINGS = 8 };
-
-/* Takes a step that ends at t. */
-static enum status substep(struct spring_motion *m, double t, int halvings,
-                           struct counters *counters)
+static enum status substep(struct spring_motion *m, struct counters *counters)
 {
     enum status st;
-    const size_t count = 3 * (size_t)m->net.mesh.nodes;
-    const double dt = m->dt;
+    const size_t count = count_of(m);
+    const double t = (double)(m->substep + 1) / m->substeps * m->net.scene->step;
 
     memcpy(m->start, m->net.x, count * sizeof *m->net.x);
-    if (m->integrator == INTEGRATOR_EXPLICIT)
-        TRY(step_explicit(m, t, counters));
-    else
-        TRY(step_implicit(m, t, counters));
+    step_explicit(m, t, counters);
     if (m->strain_limit > 0)
         spring_motion_limit(&m->springs, &m->net.supports, m->strain_limit, m->net.x);
-    if (m->integrator == INTEGRATOR_EXPLICIT)
-        TRY(net_contact_project(m->net.contact, t, m->start, m->net.x));
-    else
-        net_contact_end(m->net.contact);
-    counters->substeps++;
-    return end_step(m);
+    TRY(net_contact_project(m->net.contact, t, m->start, m->net.x));
+    for (size_t n = 0; n < count; n++) {
+        m->net.v[n] = (m->net.x[n] - m->start[n]) / m->dt;
+        if (!isfinite(m->net.v[n]))
+            st = STATUS_NAN;
+    }
+    m->substep++;
 out:
-    if (m->integrator == INTEGRATOR_EXPLICIT || !status_is_death(st) ||
-        halvings == HALVINGS)
-        return st;
-    memcpy(m->net.x, m->start, count * sizeof *m->net.x);
-    m->gains = 0; /* of steps as long */
-    set_step(m, dt / 2);
-    st = substep(m, t - dt / 2, halvings + 1, counters);
-    if (st == STATUS_OK)
-        st = substep(m, t, halvings + 1, counters);
-    set_step(m, dt);
     return st;
 }
 
-/* Computes v <- factor v. The explicit method's v is that of half a step ago: the present
- * forces bring it up to now and back again, or modes near the limit that keep step with the
- * frames would take energy from the scaling. */
+/* Computes v <- factor v, v that of half a step ago: the present forces bring it up to now
+ * and back again, or modes near the limit that keep step with the frames would take energy
+ * from the scaling. */
 static void scale_velocity(struct spring_motion *m, double factor)
 {
-    size_t count = 3 * (size_t)m->net.mesh.nodes;
-    bool behind = m->integrator == INTEGRATOR_EXPLICIT;
-    double *f = m->target;
+    double *f = m->f;
 
     if (factor == 1)
         return;
-    memcpy(f, m->net.load, count * sizeof *f);
-    if (behind)
-        spring_force_add(&m->springs, m->net.x, f);
-    for (size_t n = 0; n < count; n++) {
-        double lag = behind ? m->dt / 2 * f[n] / m->net.mass[n / 3] : 0;
+    memcpy(f, m->net.load, count_of(m) * sizeof *f);
+    spring_force_add(&m->springs, m->net.x, f);
+    for (size_t n = 0; n < count_of(m); n++) {
+        const double lag = m->dt / 2 * f[n] / m->net.mass[n / 3];
         if (m->net.supports.free_index[n] >= 0)
             m->net.v[n] = factor * (m->net.v[n] + lag) - lag;
     }
+}
+
+/* Limits strains at the end of an implicit frame, whose velocity is that of the corrected
+ * points. */
+static void limit_frame(struct spring_motion *m, double *before)
+{
+    const size_t count = count_of(m);
+
+    memcpy(before, m->net.x, count * sizeof *before);
+    spring_motion_limit(&m->springs, &m->net.supports, m->strain_limit, m->net.x);
+    for (size_t n = 0; n < count; n++)
+        m->march.v[n] += (m->net.x[n] - before[n]) / m->march.dt;
+    m->march.started = false;
 }
 
 enum status spring_motion_step(void *motion, struct counters *counters)
@@ -401,18 +367,21 @@ enum status spring_motion_step(void *motion, struct counters *counters)
     enum status st = STATUS_OK;
     struct spring_motion *m = motion;
 
-    if (m->leapfrog) {
-        counters->steps++;
-        return spring_leapfrog_frame(m->leapfrog, counters);
+    if (marches(m)) {
+        TRY(march_step(motion, counters));
+        if (m->strain_limit > 0)
+            limit_frame(m, m->march.work);
+        return STATUS_OK;
     }
-    if (m->integrator == INTEGRATOR_MOMENTUM)
-        return march_step(motion, counters);
-    net_contact_frame(m->net.contact);
-    for (int n = 0; n < m->substeps; n++, m->substep++)
-        TRY(substep(m, (double)(m->substep + 1) / m->substeps * m->net.scene->step, 0,
-                    counters));
-    scale_velocity(m, m->net.keep);
+    m->march.rested = false;
     counters->steps++;
+    if (m->leapfrog)
+        return spring_leapfrog_frame(m->leapfrog, counters);
+    net_contact_frame(m->net.contact);
+    for (int n = 0; n < m->substeps; n++)
+        TRY(substep(m, counters));
+    scale_velocity(m, m->net.keep);
+    counters->substeps += m->substeps;
 out:
     return st;
 }
@@ -421,7 +390,7 @@ void spring_motion_contact(const void *motion, struct model_contact *contact)
 {
     const struct spring_motion *m = motion;
 
-    if (m->integrator == INTEGRATOR_MOMENTUM)
+    if (marches(m) || m->march.rested)
         march_contact(motion, contact);
     else
         net_touches(&m->net, contact);
@@ -442,21 +411,22 @@ double spring_motion_elastic(const struct spring_motion *m)
 
 void spring_motion_place(struct spring_motion *m, double t)
 {
-    memset(m->net.v, 0, 3 * (size_t)m->net.mesh.nodes * sizeof *m->net.v);
+    if (marches(m)) {
+        march_still(&m->march, t);
+        return;
+    }
+    memset(m->net.v, 0, count_of(m) * sizeof *m->net.v);
     m->substep = lround(t / m->dt);
     if (m->leapfrog)
         spring_leapfrog_place(m->leapfrog, t);
-    if (m->integrator == INTEGRATOR_MOMENTUM)
-        march_still(&m->march, t);
 }
 
 void spring_motion_energy(const void *motion, struct energy *energy)
 {
     const struct spring_motion *m = motion;
-    const double *v = m->integrator == INTEGRATOR_MOMENTUM ? m->march.v : m->net.v;
 
     if (m->leapfrog)
         spring_leapfrog_velocity(m->leapfrog, m->net.v);
-    net_energy(&m->net, v, energy);
+    net_energy(&m->net, marches(m) ? m->march.v : m->net.v, energy);
     energy->elastic = spring_motion_elastic(m) - m->rest_energy;
 }

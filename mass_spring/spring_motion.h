@@ -1,7 +1,8 @@
 /* spring_motion.h - a net of springs in time.
  *
- * implicit   Euler's implicit method, in its variational form (spring_newton.h):
- *            m (x - x0 - dt v0) / dt^2 + c (x - x0) / dt = load + F(x),  v = (x - x0) / dt.
+ * implicit   Euler's implicit method, of springs in lengths and of struts, by the march
+ *            (spring_lengths.h); one Newton iteration of it (iterations = 1) is the
+ *            linearised step of Baraff and Witkin 1998.
  * explicit   symplectic Euler: v from the forces at x0 (c implicit, for free), x from v.
  *            Stable up to a greatest step, `limit`. Without a number of sub-
  *            steps it takes as many as keep LIMIT_SHARE of it; with one, it may blow up.
@@ -13,11 +14,10 @@
  *            bending (march.h, spring_strips.h). It keeps its energy
  *            (clothbench verify energy); the membrane's viscosity takes what crumples.
  *
- * Contact is part of what Euler's implicit step minimises (spring_newton.h), and of
- * momentum's equation; it ends an explicit step, after strains are limited
- * (contact_project).
+ * Contact is part of what implicit steps solve; it ends an explicit step, after strains
+ * are limited (contact_project). Of implicit steps strains are limited once a frame.
  *
- * Damping: mass and alpha are c = alpha m; beta is beta K V with the clamped Jacobian at
+ * Damping: mass and alpha are c = alpha m; beta is beta V v with the clamped Jacobian at
  * the start of the step, which is positive semi-definite: it only takes energy.
  * velocity_scale and velocity_rate act once a frame, whatever the substeps, on the velocity
  * of its end. Body drag is a force on each point. The paper's set has its own drag on
@@ -28,7 +28,7 @@
 
 #include "models/mechanics/march.h"
 #include "models/net/spring_leapfrog.h"
-#include "mass_spring/spring_newton.h"
+#include "mass_spring/spring_lengths.h"
 #include "mass_spring/spring_strips.h"
 
 /* The surface of the net: the net itself, or the B-spline whose control points it has. */
@@ -39,32 +39,26 @@ struct spring_own {      /* choices of its own (models/option.h) */
     enum spring_surface surface;
 };
 
-enum { SPRING_GAINS = 5 };
-
 struct spring_motion {
-    struct march march; /* first: march.h; momentum only                        */
+    struct march march; /* first: march.h; made for implicit steps and equilibrium     */
+    const struct discretization *asked; /* borrowed                                    */
     struct net net;
     struct spring_net springs;
-    struct spring_newton newton;
     enum integrator integrator;
     int degree; /* of the surface; 0: bilinear                                         */
-    struct spring_limits limits;
     int substeps;
-    double dt;              /* length of a substep                                 [s]   */
-    double strain_limit;    /* 0: none                                                   */
-    double limit;           /* greatest stable step of explicit methods about rest [s]   */
-    double rest_energy;     /* round-off of the energy at rest                     [J]   */
-    void *room;             /* memory of the arrays                         owned   */
-    double *weight;         /* [nodes] m / dt^2 + c / dt                     [N/m]     */
-    double *start, *target; /* [nodes][3] work                                         */
-    double *gain;   /* [SPRING_GAINS][nodes][3] of velocity in the last step, and its
-                       backward differences of orders 1, 2, ...                   [m/s] */
-    int gains;      /* those that would have foretold the last gain best, in their sum  */
-    double (*V)[9]; /* [pairs] with beta, else NULL                            */
-    struct spring_stencil stencil;    /* leapfrog and momentum                         */
+    double dt;           /* length of a substep, of explicit ones               [s]   */
+    double strain_limit; /* 0: none                                                   */
+    double limit;        /* greatest stable step of explicit methods about rest [s]   */
+    double rest_energy;  /* round-off of the energy at rest                     [J]   */
+    void *room;          /* memory of the arrays                         owned   */
+    double *start, *f;   /* [nodes][3] explicit only: where a substep began; forces   */
+    double (*V)[9];      /* [pairs] explicit with beta, else NULL                     */
+    struct spring_lengths lengths; /* implicit and explicit                         */
+    struct spring_stencil stencil; /* leapfrog and momentum, as what follows        */
+    struct spring_strips strips;
     struct spring_leapfrog *leapfrog; /* steps of that integrator, else NULL   owned   */
-    struct spring_strips strips;      /* momentum only, as what follows                */
-    long substep; /* taken so far                                                     */
+    long substep; /* taken so far, of explicit ones                                    */
 };
 
 /* Initialises; *m must stay where it is: it holds pointers into itself. */
@@ -76,6 +70,8 @@ void spring_motion_clear(void *motion);
 enum status spring_motion_step(void *motion, struct counters *counters);
 void spring_motion_contact(const void *motion, struct model_contact *contact);
 void spring_motion_energy(const void *motion, struct energy *energy);
+enum status spring_motion_rest(void *motion, struct counters *counters,
+                               struct message *why);
 
 /* Returns leapfrog's and momentum's net; NULL: the net's own springs in lengths and
  * struts. */

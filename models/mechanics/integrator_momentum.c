@@ -26,6 +26,7 @@
  * friction (.04 p over a rod of 30 mm at .5 m/s in steps of 5 ms). Where the sheet meets
  * itself the normal is that at x_1: a place's own slip hides the turn of the pair.
  */
+#include <math.h>
 #include <string.h>
 
 #include "models/mechanics/contact_system.h"
@@ -94,6 +95,48 @@ static void finish(struct march *m, double t, double dt, const double *x_old)
         supports_set(m->supports, h, m->v, v_held[h]);
 }
 
+/* Guesses the end of a step: its gain of velocity by a polynomial through the last ones. */
+static void guess(struct march *m, double dt, double end)
+{
+    const size_t count = count_of(m);
+
+    for (size_t t = 0; t < count; t++) {
+        double gain = m->orders && dt == m->past_dt ? 0 : dt * m->a[t];
+        for (int k = 0; k < m->orders && dt == m->past_dt; k++)
+            gain += m->past[k * count + t];
+        m->x[t] += dt * (m->v[t] + end * gain);
+    }
+}
+
+/* Enters the gain of a step and chooses by how many differences the next is extrapolated:
+ * as many as would have foretold this one best, which after a start, with zeros for what is
+ * not known, is one; the last gain alone under contact. */
+static void learn(struct march *m, double dt)
+{
+    const size_t count = count_of(m);
+    double *change = m->work, least = INFINITY;
+
+    if (dt != m->past_dt)
+        memset(m->past, 0, MARCH_GAINS * count * sizeof *m->past);
+    m->past_dt = dt;
+    for (size_t t = 0; t < count; t++)
+        change[t] = dt * m->a[t];
+    for (int k = 0; k <= MARCH_GAINS; k++) {
+        double *known = m->past + k * count, size = 0;
+        for (size_t t = 0; t < count; t++)
+            size += change[t] * change[t];
+        if (k > 0 && size < least)
+            least = size, m->orders = k;
+        for (size_t t = 0; k < MARCH_GAINS && t < count; t++) {
+            const double was = known[t];
+            known[t] = change[t];
+            change[t] -= was;
+        }
+    }
+    if (m->contact && m->contact->count)
+        m->orders = 0;
+}
+
 /* Ends a substep that may touch, and adds its share of the step's force. */
 static enum status end_contact(struct march *m, double dt)
 {
@@ -109,6 +152,9 @@ static enum status end_contact(struct march *m, double dt)
 static enum status keep_strains(struct march *m, double dt)
 {
     const size_t count = large_body_strains(&m->body);
+
+    if (m->body.plain) /* nobody reads them */
+        return STATUS_OK;
     double *mean = m->strain_mean, *gain = m->gain;
 
     if (mean)
@@ -130,7 +176,7 @@ static enum status substep(struct march *m, double t, double dt, struct counters
     size_t count = count_of(m);
     double *x_old = m->newton, *hat = m->newton + count;
     double end = m->euler ? 1 : 0.5; /* where forces are taken, in steps from x_old */
-    double mass = 1 / (end * dt * dt) + m->alpha / dt, damping = m->beta / dt;
+    double mass = 1 / (end * dt * dt) + m->alpha / dt, damping = m->V ? 0 : m->beta / dt;
     const struct large_equation equation = {
         .path = {.s0 = 1 - end - damping,
                  .s1 = end + damping,
@@ -144,6 +190,9 @@ static enum status substep(struct march *m, double t, double dt, struct counters
         .mass = mass,
         .hat = hat,
         .load = 1,
+        .drag = 1 / dt,
+        .viscosity = m->V ? m->beta / dt : 0,
+        .tolerance = m->tolerance,
         /* a step that no other Newton step will correct needs its own tangent */
         .chord = m->full || m->enough ? 0 : CHORD,
         .limit = 40,
@@ -153,9 +202,12 @@ static enum status substep(struct march *m, double t, double dt, struct counters
     memcpy(x_old, m->x, count * sizeof *x_old);
     for (size_t k = 0; k < count; k++) {
         hat[k] = x_old[k] + m->v[k] / (end * dt) / mass;
-        if (m->enough != 1)
-            m->x[k] += dt * (m->v[k] + dt * end * m->a[k]);
     }
+    if (m->V)
+        TRY(large_body_tangent(&m->body, &equation.path, x_old, (struct large_foresight){0},
+                               m->V));
+    if (m->enough != 1)
+        guess(m, dt, end);
     if (m->contact) {
         contact_begin(m->contact, t, dt, x_old);
         m->contact->middle = !m->euler;
@@ -166,6 +218,8 @@ static enum status substep(struct march *m, double t, double dt, struct counters
     finish(m, t, dt, x_old);
     if (m->contact)
         TRY(end_contact(m, dt));
+    if (m->learns)
+        learn(m, dt);
     TRY(keep_strains(m, dt));
     return STATUS_OK;
 out:

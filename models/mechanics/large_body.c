@@ -42,6 +42,12 @@ static bool do_element(const struct task *t, int thread, int element)
 {
     const struct large_body *b = t->body;
     size_t at = (size_t)element * b->strains, bytes = b->strains * sizeof(double);
+
+    if (b->plain && t->K) {
+        b->geometry(b->self, thread, element, t->x, 1);
+        b->tangent(b->self, thread, element, t->path, t->K);
+        return true;
+    }
     double *strain = b->strain(b->self, thread, element, t->x,
                                t->foresight.change ? &t->foresight : NULL);
 
@@ -101,7 +107,8 @@ enum status large_body_tangent(const struct large_body *b, const struct large_pa
                                const double *x, struct large_foresight foresight,
                                double (*K)[9])
 {
-    memset(K, 0, (size_t)b->pairs * sizeof *K);
+    if (!b->plain)
+        memset(K, 0, (size_t)b->pairs * sizeof *K);
     return do_all(
         &(struct task){.body = b, .path = path, .x = x, .foresight = foresight, .K = K});
 }

@@ -47,6 +47,10 @@ struct large_body {
     size_t strains;  /* numbers an element                                             */
     size_t lagged;   /* the first of these, to which the lag applies                   */
 
+    bool plain; /* one element, whose tangent takes no stress: its geometry, x itself, is
+                   set alone, and all of K written. Its damping is by the tangent where a
+                   step begins, not by the rate of strains.                               */
+
     /* Returns strains at x, in the thread's own room, or NULL if x is not a valid shape
      * there. With `foresight` they are the strains that its change's linearisation foresaw;
      * bodies of no membrane that steps turn far may take `change` for `beside`. */

@@ -22,6 +22,11 @@ static const double RINGING_CHORD = 0.8;
 /* The change under contact, in ranges of the law, that ends the iteration once the touches
  * are held: they are no better known. */
 static const double LEEWAY = 1e-3;
+/* The error that conjugate gradients may leave at each point after the first change, as a
+ * share of the tolerance: the very last change only shows that none is needed. The first
+ * has no such allowance: it follows movements below the tolerance, too, which short steps
+ * would lose. */
+static const double NEAR = 0.1;
 /* Steps in time that do not halve in so many iterations creep about a tangent without
  * stress, and most never converge: two halves of the time step are cheaper than going on.
  * (edge_drop, undamped, no lag, to 0.9 s, shell 16x16, p = 3: .60 of the assemblies.) */
@@ -59,6 +64,15 @@ static enum status residual(struct march *m, const struct large_equation *q,
     blocks_multiply_mass(m->graph, m->M, work, inertia);
     for (size_t t = 0; t < count; t++)
         r[t] -= inertia[t];
+    for (size_t t = 0; m->drag && t < count; t++)
+        r[t] -= q->drag * m->drag[t / 3] * (x[t] - q->path.x_old[t]);
+    if (q->viscosity > 0) {
+        for (size_t t = 0; t < count; t++)
+            work[t] = q->viscosity * (x[t] - q->path.x_old[t]);
+        blocks_multiply(m->graph, (const double(*)[9])m->V, work, inertia);
+        for (size_t t = 0; t < count; t++)
+            r[t] -= inertia[t];
+    }
     supports_lean(m->supports, r);
     return STATUS_OK;
 }
@@ -109,6 +123,10 @@ static enum status refresh(struct march *m, const struct large_equation *q, cons
         if (m->pressure.value != 0)
             pressure_tangent(&m->pressure, q->load, q->path.x_old, q->path.g1, x, m->graph,
                              m->K);
+        for (long n = 0; q->viscosity > 0 && n < 9 * m->body.pairs; n++)
+            m->K[n / 9][n % 9] += q->viscosity * m->V[n / 9][n % 9];
+        for (int t = 0; m->drag && t < 3 * m->graph->nodes; t++)
+            m->K[m->graph->start[t / 3]][4 * (t % 3)] += q->drag * m->drag[t / 3];
         if (m->contact)
             TRY(contact_coupled_add(&m->coupled, m->contact, &m->system, m->K));
         st = factor(m, q->mass, counters);
@@ -146,6 +164,9 @@ static enum status solve(struct march *m, const struct large_equation *q,
 
     for (int attempt = 0; attempt < 2; attempt++) {
         memcpy(i->next, i->r, count_of(m) * sizeof *i->next);
+        if (m->loose > 0)
+            iterative_tolerate(m->system.iterative, m->loose,
+                               isfinite(i->size) ? NEAR * m->tolerance : 0);
         st = contact_coupled_solve(&m->coupled, &m->system, i->next);
         counters->solves++;
         const bool indefinite = st == STATUS_INDEFINITE || st == STATUS_UNSOLVED;
@@ -263,6 +284,16 @@ out:
     return st;
 }
 
+/* Returns an upper bound of what is left after a change, if changes shrink evenly, as they
+ * do where the tangent is not exact; the change itself while they do not shrink fast, and
+ * where the owner states no tolerance: then so much less is left. */
+static double left(const struct march *m, double size, double before)
+{
+    const double caution = 10;
+
+    return m->tolerance > 0 && before > 0 ? size * fmin(1, caution * size / before) : size;
+}
+
 /* Tells whether a step below the tolerance means convergence. */
 static bool settled(const struct march *m, double size, double before)
 {
@@ -278,7 +309,7 @@ static double tolerance(const struct march *m, const struct large_equation *q)
     const bool held = m->contact && m->contact->held;
 
     if (q->tolerance > 0)
-        return fmin(most, q->tolerance);
+        return q->tolerance;
     return held ? fmax(most, LEEWAY * m->contact->body.range) : most;
 }
 
@@ -325,7 +356,8 @@ enum status large_newton_solve(struct march *m, const struct large_equation *q, 
             st = STATUS_DIVERGED;
             goto out;
         }
-        bool calm = i.size <= tolerance(m, q) && i.whole && settled(m, i.size, before);
+        bool calm = left(m, i.size, before) <= tolerance(m, q) && i.whole &&
+                    settled(m, i.size, before);
         before = i.size;
         if (calm && m->contact && contact_release(m->contact))
             calm = false;

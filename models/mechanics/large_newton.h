@@ -27,6 +27,8 @@ struct large_equation {
     struct large_path path;
     double mass;       /* >= 0                                                [1/s^2]  */
     const double *hat; /* [nodes][3]; NULL if mass == 0                       borrowed */
+    double drag;       /* factor of drag on the way from path.x_old            [1/s]   */
+    double viscosity;  /* factor of V on that way                              [1]      */
     double load;       /* factor on m->load                                            */
     double chord;      /* a tangent is kept while steps shrink by this; 0: never       */
     double tolerance;  /* steps below it end the iteration; 0: 1e-7 lengths     [m]    */

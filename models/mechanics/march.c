@@ -71,6 +71,8 @@ static enum status make_room(struct march *m)
                  ROOM(x, m->x ? 0 : count), ROOM(load, m->load ? 0 : count),
                  ROOM(M, m->mass ? pairs : 0),
                  ROOM(m->held, 4 * (size_t)m->supports->held_count),
+                 ROOM(m->past, large && m->learns ? MARCH_GAINS * count : 0),
+                 ROOM(m->V, large && m->body.plain && m->beta > 0 ? pairs : 0),
                  ROOM(m->newton, large ? 6 * count : 0),
                  ROOM(m->K, large || !m->stiffness ? pairs : 0)));
     m->v = m->d + count, m->a = m->v + count;
@@ -106,8 +108,9 @@ static void set_damping(struct march *m)
     const double drag = damping_drag(s);
     const bool on_d = m->kinematics == KINEMATICS_PRINTED;
 
-    m->alpha = damping_mass(s) + (on_d ? 0 : drag);
-    m->beta = damping_stiffness(s);
+    m->keep = m->drag ? 1 : damping_velocity(s);
+    m->alpha = m->drag ? 0 : damping_mass(s) + (on_d ? 0 : drag);
+    m->beta = m->drag ? 0 : damping_stiffness(s);
     m->gamma = on_d ? drag / s->step : 0;
 }
 
@@ -184,6 +187,8 @@ void march_still(struct march *m, double t)
     memset(m->d, 0, 3 * count_of(m) * sizeof *m->d); /* d, v and a */
     m->time = t;
     m->started = false;
+    m->orders = 0;
+    m->past_dt = 0;
     m->factored = -1;
 }
 
@@ -249,13 +254,11 @@ void march_follow(struct march *m, double t)
  * paper's scheme knows no support here. */
 static void damp(struct march *m)
 {
-    const double factor = damping_velocity(m->scene);
-
     if (m->kinematics != KINEMATICS_PRINTED)
-        supports_damp(m->supports, factor, m->v);
+        supports_damp(m->supports, m->keep, m->v);
     else
         for (size_t t = 0; t < count_of(m); t++)
-            m->v[t] *= factor;
+            m->v[t] *= m->keep;
 }
 
 enum status march_step(void *state, struct counters *counters)

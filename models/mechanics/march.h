@@ -24,12 +24,16 @@
 #include "models/mechanics/pressure.h"
 #include "models/model.h"
 
+enum { MARCH_GAINS = 5 };
+
 struct march {
     /* The owner sets these before march_init; borrowed. */
     struct large_body body; /* not needed by `newmark` and `printed`, which have K        */
     const struct scene *scene;
     const struct blocks *graph;
     const double *mass;   /* [nodes] lumped mass, of which M is made then; or NULL [kg]   */
+    const double *drag;   /* [nodes] of points, with mass, in place of the scene's damping;
+                             NULL: the scene's                               [N s/m]    */
     const double *M;      /* [pairs] mass                                        [kg]    */
     const double *beyond; /* [pairs] of explicit steps, whose M is diagonal: the mass is M
                              less this, below 2 M; NULL: M itself               [kg]    */
@@ -53,15 +57,19 @@ struct march {
                     take without                                                         */
     bool rings;  /* nothing damps the membrane, and Newton's method expects it           */
 
+    bool learns;  /* a step is guessed by extrapolating the gains of velocity          */
     bool euler;   /* implicit steps are Euler's                                           */
     int substeps; /* of a frame; 0: one                                                  */
-    int enough;   /* iterations after which a step is taken; 0: converged                 */
+    double loose; /* tolerance of an iterated system's changes; 0: the system's own   */
+    double tolerance; /* change that ends Newton's iteration; 0: its own        [m]      */
+    int enough; /* iterations after which a step is taken; 0: converged                 */
 
     enum kinematics kinematics;
     const struct march_integrator *integrator;
     struct system system;
     double dt;          /* length of a step                              [s]     */
     double alpha, beta; /* Rayleigh damping, drag in alpha              [1/s, s] */
+    double keep;        /* factor on velocities after each frame         [1]     */
     double gamma;       /* K + gamma M acts on d [1/s^2]; of `printed` only      */
     double density[SCENE_MAX_SHEETS]; /*                                       [kg/m^3]  */
     void *room;        /* of the arrays but dead                        owned   */
@@ -70,6 +78,8 @@ struct march {
     double *work;      /* [3][nodes][3]                                         */
     double *dead;      /* [nodes][3] of which the scene's loads; or NULL owned  */
     double *held;      /* [4][held_count] march_path                            */
+    double (*V)[9];    /* [pairs] of a plain body with beta: the tangent where a step began,
+                          which damps; else NULL                      [N/m]   */
     double (*K)[9];    /* [pairs] room for tangents                     [N/m]   */
     double time;       /*                                               [s]     */
     bool started; /* newmark: the system is factored; else strain_old belongs to x       */
@@ -86,14 +96,18 @@ struct march {
     double *gain;        /* of the last substep, gain_dt long; NULL: no viscosity        */
     double gain_dt;      /*                                                      [s]     */
     int stay, stays;     /* with relief: substeps that the lag is still for, was last    */
-    double *newton;      /* [6][nodes][3]: x_old, hat, work of large_newton              */
-    double factored;     /* mass factor of the tangent that is factored; -1: none        */
-    double added;        /* mass added to the factored tangent; 0: none         [1/s^2]  */
-    bool stressless;     /* the present tangent leaves out the stress                    */
-    bool worn;           /* the last equation could not do with one factored tangent     */
-    bool rested;         /* x is an equilibrium (march_rest.c)                           */
-    int halvings;        /* the present substep is step / 2^halvings                     */
-    void *own;           /* the integrator's own state                          owned   */
+    double *past;    /* [MARCH_GAINS][nodes][3] gain of velocity in the last step, and its
+                        backward differences of orders 1, 2, ..., past_dt long  [m/s]    */
+    double past_dt;  /*                                                          [s]     */
+    int orders;      /* those that would have foretold the last gain best, in their sum */
+    double *newton;  /* [6][nodes][3]: x_old, hat, work of large_newton              */
+    double factored; /* mass factor of the tangent that is factored; -1: none        */
+    double added;    /* mass added to the factored tangent; 0: none         [1/s^2]  */
+    bool stressless; /* the present tangent leaves out the stress                    */
+    bool worn;       /* the last equation could not do with one factored tangent     */
+    bool rested;     /* x is an equilibrium (march_rest.c)                           */
+    int halvings;    /* the present substep is step / 2^halvings                     */
+    void *own;       /* the integrator's own state                          owned   */
 };
 
 /* A scheme in time. */

@@ -97,7 +97,7 @@ static enum status step_down(struct march *m, double mass, double *moved,
         .mass = mass,
         .hat = last,
         .load = 1,
-        .tolerance = SLIP * whole_slip(m),
+        .tolerance = fmin(SLIP * whole_slip(m), 1e-7 * m->scene->length),
         .limit = 30};
 
     memcpy(last, m->x, count * sizeof *last);

@@ -163,7 +163,8 @@ enum status supports_allow_rest(const struct supports *s, const struct scene *sc
         return status_fail(
             why, STATUS_UNSUPPORTED,
             "unsupported: static equilibrium with contact is found at large displacements "
-            "by shell, triangles and solids only; a motion with damping comes to rest");
+            "by shell, nets of springs and triangles, and solids only; a motion with "
+            "damping comes to rest");
     if (scene->obstacle_count && s->moving)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "unsupported: no static equilibrium with obstacles and supports "
@@ -461,6 +462,14 @@ void supports_shift(const struct supports *s, const struct scene *scene, double 
         if (motion->turn_count)
             shift[n] += vector_dot(place.turn[i], s->rest[n]) - s->rest[n][i];
     }
+}
+
+void supports_place(const struct supports *s, const struct scene *scene, double t,
+                    const double *rest, double *room, double *x)
+{
+    supports_shift(s, scene, t, room);
+    for (int h = 0; h < s->held_count; h++)
+        supports_set(s, h, x, supports_get(s, h, rest) + room[h]);
 }
 
 void supports_carry(const struct supports *s, const double *x_old, double *x)

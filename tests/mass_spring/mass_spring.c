@@ -25,7 +25,7 @@ static void check_single(double step, double heavy)
     for (int t = 0; t < 3 * s.m.net.mesh.nodes; t++)
         off = fmax(off, fabs(s.m.net.x[t] - s.m.net.mesh.rest[t] -
                              step * step * s.scene.gravity[t % 3]));
-    CHECK_NEAR(off, 0, EXPECTED * s.m.limits.tolerance);
+    CHECK_NEAR(off, 0, EXPECTED * s.m.march.tolerance);
     springs_clear(&s);
 }
 
@@ -152,7 +152,6 @@ int main(void)
     check_strain_centre();
     check_strain_limit();
     check_guess(true, 0);
-    for (int power = 0; power < SPRING_GAINS; power++)
-        check_guess(false, power);
+    check_guess(false, 0);
     return check_result();
 }

@@ -32,8 +32,8 @@ static void check_derivatives(enum parameters parameters)
     for (size_t t = 0; t < count; t++) /* held points stay: a clamp knows nothing else */
         dir[t] = s.m.net.supports.free_index[t] < 0 ? 0 : noise(7 * t + 3);
     spring_force_add(net, x, f);
-    spring_force_jacobian(net, x, s.m.newton.K);
-    blocks_multiply(&net->graph, (const double(*)[9])s.m.newton.K, dir, Kd);
+    spring_force_jacobian(net, x, s.m.march.K);
+    blocks_multiply(&net->graph, (const double(*)[9])s.m.march.K, dir, Kd);
     double work = 0, size = 0, K_size = 0;
     for (size_t t = 0; t < count; t++) {
         work -= f[t] * dir[t];
@@ -88,8 +88,8 @@ static void check_clamped(void)
     springs_init(&s, 6, 5, true);
     springs_start(&s);
     const struct spring_net *net = &s.m.springs;
-    const double *hinges = s.m.newton.hinges;
-    double(*K)[9] = s.m.newton.K;
+    const double *hinges = s.m.lengths.hinges;
+    double(*K)[9] = s.m.march.K;
     const double(*const constK)[9] = (const double(*)[9])K;
     int count = 3 * net->mesh->nodes;
     double *x = malloc(4 * (size_t)count * sizeof *x), *y = x + count, *Ky = y + count,
@@ -165,7 +165,7 @@ static void check_strips(bool softens)
         apart[t] += f[t];
     CHECK_NEAR(derivative_norm(COUNT, apart) / derivative_norm(COUNT, f), 0, ALIKE);
     /* and the stencil's own matrix, for who seeks rest */
-    double(*K)[9] = s.m.newton.K;
+    double(*K)[9] = s.m.march.K;
     CHECK(large_body_tangent(&body, &large_path_statics, x, (struct large_foresight){0},
                              K) == STATUS_OK);
     blocks_multiply(&s.m.springs.graph, (const double(*)[9])K, along, f);

@@ -25,8 +25,8 @@ static double quadratic(struct spring_motion *m, const double *d)
     double *Kd = malloc(3 * (size_t)m->net.mesh.nodes * sizeof *Kd), sum = 0;
 
     REQUIRE(Kd);
-    spring_force_jacobian(&m->springs, m->net.mesh.rest, m->newton.K);
-    blocks_multiply(&m->springs.graph, (const double(*)[9])m->newton.K, d, Kd);
+    spring_force_jacobian(&m->springs, m->net.mesh.rest, m->march.K);
+    blocks_multiply(&m->springs.graph, (const double(*)[9])m->march.K, d, Kd);
     for (int t = 0; t < 3 * m->net.mesh.nodes; t++)
         sum += d[t] * Kd[t] / 2;
     free(Kd);

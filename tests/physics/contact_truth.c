@@ -135,7 +135,9 @@ static void start(struct fixture *f)
 {
     struct message why = {""};
 
-    longest = f->pieces > 1 ? 1.01 * f->run.scene.step / f->pieces : INFINITY;
+    longest = f->pieces > 1 && !f->run.discretization.substeps
+                  ? 1.01 * f->run.scene.step / f->pieces
+                  : INFINITY;
     if (!CHECK(run_build(&f->run, &why) == STATUS_OK)) {
         printf("%s\n", why.text);
         exit(1);

@@ -496,7 +496,6 @@ static enum status build(struct shell *m, const struct discretization *d,
 {
     const struct scene *scene = m->scene;
     struct shell_material material[SCENE_MAX_SHEETS];
-    const bool rings = d->viscosity == VISCOSITY_NONE;
     enum status st;
 
     for (int k = 0; k < scene_sheets(scene); k++) {
@@ -520,8 +519,7 @@ static enum status build(struct shell *m, const struct discretization *d,
         .supports = &m->supports,
         .parity = m->parity,
         .unknowns = "control points",
-        .lag = rings ? 0 : march_lag,
-        .rings = rings,
+        .lag = d->viscosity == VISCOSITY_NONE ? 0 : march_lag,
     };
     TRY(march_init(&m->march, d, why));
     TRY(add_loads(m));

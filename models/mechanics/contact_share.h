@@ -3,9 +3,9 @@
  * forces, and under contact where it is thrown back: the pressure rises far more steeply
  * than its slope says, and a whole change may meet many times the force that drove it.
  * Along a change d the work r . d of the residual falls to nothing if the tangent is right;
- * the share is good where little is left, of either sign. Springs judge by the whole
- * residual, bodies at large displacements by the contact's part (large_newton.c). What may
- * be taken at most, before walls, is contact_limit's to say, and comes first.
+ * the share is good where little is left, of either sign. The work judged is
+ * the contact's part (large_newton.c). What may be taken at most, before walls, is
+ * contact_limit's to say, and comes first.
  */
 #ifndef CONTACT_SHARE_H
 #define CONTACT_SHARE_H

@@ -37,12 +37,6 @@
  * than the last: an assembly and a factorisation cost as much as three or four of them. */
 static const double CHORD = 0.4;
 
-/* The most iterations of an easy substep: where nothing damps, harder ones would fail if
- * they were longer, and longer ones are not tried (edge_drop, undamped, no viscosity, to 2
- * s, shell 10x10, p = 3: .72 of the assemblies of trying each time; 6 and 10 do as well).
- */
-enum { EASY = 8 };
-
 /* The substeps that a viscosity stays for when it comes first: what is fast shrinks to a
  * third in each, and has 2e-5 left. Each time that it comes back it stays twice as long, so
  * that a sheet which needs it does not fail again and again. */
@@ -148,22 +142,18 @@ static enum status end_contact(struct march *m, double dt)
     return st;
 }
 
-/* Stores the strains where a step ends, and the mean and the gain of the step. */
+/* Stores the strains where a step ends, and the gain of the step. */
 static enum status keep_strains(struct march *m, double dt)
 {
     const size_t count = large_body_strains(&m->body);
 
     if (m->body.plain) /* nobody reads them */
         return STATUS_OK;
-    double *mean = m->strain_mean, *gain = m->gain;
+    double *gain = m->gain;
 
-    if (mean)
-        memcpy(mean, m->strain_old, count * sizeof *mean);
     if (gain)
         memcpy(gain, m->strain_old, count * sizeof *gain);
     enum status st = large_body_strain(&m->body, m->x, m->strain_old);
-    for (size_t n = 0; mean && n < count; n++)
-        mean[n] = (mean[n] + m->strain_old[n]) / 2;
     for (size_t n = 0; gain && n < count; n++)
         gain[n] = m->strain_old[n] - gain[n];
     m->gain_dt = dt;
@@ -249,9 +239,6 @@ static enum status step(struct march *m, double time, struct counters *counters)
         st = large_body_strain(&m->body, m->x, m->strain_old);
         if (st != STATUS_OK)
             return st;
-        if (m->strain_mean)
-            memcpy(m->strain_mean, m->strain_old,
-                   large_body_strains(&m->body) * sizeof *m->strain_mean);
         if (m->gain)
             memset(m->gain, 0, large_body_strains(&m->body) * sizeof *m->gain);
         m->gain_dt = m->dt;
@@ -261,7 +248,6 @@ static enum status step(struct march *m, double time, struct counters *counters)
         int size = FINEST >> m->halvings;
         double dt = m->dt / (1 << m->halvings);
         double t = time + m->dt * done / FINEST;
-        long before = counters->iterations;
         st = substep(m, t, dt, counters);
         if (st == STATUS_OK) {
             done += size;
@@ -269,8 +255,7 @@ static enum status step(struct march *m, double time, struct counters *counters)
             viscous |= m->lag > 0;
             if (m->stay && !--m->stay)
                 m->lag = 0;
-            bool easy = !m->rings || counters->iterations - before <= EASY;
-            if (m->halvings && done % (2 * size) == 0 && easy)
+            if (m->halvings && done % (2 * size) == 0)
                 m->halvings--;
             continue;
         }

@@ -13,12 +13,6 @@ static const double STEP_TOLERANCE = 1e-7;
  * more tangents: shell 10x10 selective p = 2, .81 of the iterations; p = 3, .87; IGA
  * selective p = 3, .86.) */
 static const double FIRST_CHORD = 0.03;
-/* Where nothing damps the membrane, a new tangent shortens steps little: it leaves out
- * how the geometry of forces turns against that of strains. An old one, at a quarter of
- * the cost, is then kept if it does half as well, but for steps that hardly shrink at
- * all. (edge_drop, undamped, no viscosity, to 2 s, shell 16x16, p = 3: .96 of the
- * assemblies.) */
-static const double RINGING_CHORD = 0.8;
 /* The change under contact, in ranges of the law, that ends the iteration once the touches
  * are held: they are no better known. */
 static const double LEEWAY = 1e-3;
@@ -147,7 +141,6 @@ struct iteration {
     double *r, *next; /* right-hand side at x; the step from there                     */
     double *work;
     double chord;  /* the tangent is kept if the next step is so much shorter           */
-    double gain;   /* ratio of steps at the last new tangent                            */
     bool whole;    /* contact did not cut d short                                       */
     double before; /* the work of the contact's forces on d where it begins        [J] */
     struct march *m;
@@ -252,14 +245,6 @@ static void fill_beside(const struct march *m, const struct large_equation *q,
         i->work[t] = i->d[t] + (back > 0 ? back * (i->x[t] - i->d[t] - old[t]) : 0);
 }
 
-/* Returns the largest ratio of the next step to the last for which the tangent is kept. */
-static double chord_of(const struct march *m, const struct iteration *i)
-{
-    bool slow = m->rings && i->gain < 1;
-
-    return slow ? fmax(i->chord, fmin(RINGING_CHORD, sqrt(i->gain))) : i->chord;
-}
-
 /* Finds the next step, with the old tangent if that still works well. */
 static enum status next_step(struct march *m, const struct large_equation *q,
                              struct iteration *i, struct counters *counters)
@@ -269,13 +254,12 @@ static enum status next_step(struct march *m, const struct large_equation *q,
 
     if (q->chord > 0)
         TRY(solve(m, q, i, &size, counters));
-    if (!(size <= chord_of(m, i) * i->size)) {
+    if (!(size <= i->chord * i->size)) {
         fill_beside(m, q, i);
         TRY(refresh(m, q, i->x, (struct large_foresight){.change = i->d, .beside = i->work},
                     counters));
         m->worn = true;
         TRY(solve(m, q, i, &size, counters));
-        i->gain = size / i->size;
     }
     swap = i->d;
     i->d = i->next, i->next = swap, i->size = size;
@@ -328,17 +312,13 @@ enum status large_newton_solve(struct march *m, const struct large_equation *q, 
                           .work = room + 3 * count,
                           .size = INFINITY,
                           .chord = q->chord,
-                          .gain = 1,
                           .m = m,
                           .q = q};
 
     m->stressless = false;
     TRY(residual(m, q, x, i.r, i.work, false));
     if (q->chord == 0 || m->factored != q->mass || m->worn || touches(m)) {
-        const double *strain = m->rings && q->mass > 0
-                                   ? m->strain_mean
-                                   : m->strain_old; /* without its ringing */
-        TRY(refresh(m, q, x, (struct large_foresight){.strain = strain}, counters));
+        TRY(refresh(m, q, x, (struct large_foresight){.strain = m->strain_old}, counters));
         i.chord = fmin(q->chord, FIRST_CHORD);
     }
     TRY(solve(m, q, &i, &i.size, counters));

@@ -83,11 +83,10 @@ static enum status make_room(struct march *m)
     for (int a = 0; M && a < m->graph->nodes; a++)
         M[m->graph->start[a]] = m->mass[a];
     if (large) {
-        m->strain_old = malloc((1 + m->rings + viscous) * strains * sizeof *m->strain_old);
+        m->strain_old = malloc((1 + viscous) * strains * sizeof *m->strain_old);
         if (!m->strain_old)
             return STATUS_MEMORY;
-        m->strain_mean = m->rings ? m->strain_old + strains : NULL;
-        m->gain = viscous ? m->strain_old + (1 + m->rings) * strains : NULL;
+        m->gain = viscous ? m->strain_old + strains : NULL;
         m->factored = -1;
     }
     if (contact_wanted(m->scene) && large && !(m->contact = calloc(1, sizeof *m->contact)))

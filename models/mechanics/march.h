@@ -55,7 +55,6 @@ struct march {
     double lag;  /* algorithmic viscosity (integrator_momentum.c)                 */
     bool relief; /* lag is march_lag for a while after a step that Newton's method cannot
                     take without                                                         */
-    bool rings;  /* nothing damps the membrane, and Newton's method expects it           */
 
     bool learns;  /* a step is guessed by extrapolating the gains of velocity          */
     bool euler;   /* implicit steps are Euler's                                           */
@@ -92,10 +91,9 @@ struct march {
     bool full;                      /* a new tangent in each iteration                   */
     struct contact_coupled coupled; /* where the sheet touches itself            owned   */
     double *strain_old;             /* strains at the step's start               owned   */
-    double *strain_mean; /* mean of the last step, in the same room; NULL: not rings     */
-    double *gain;        /* of the last substep, gain_dt long; NULL: no viscosity        */
-    double gain_dt;      /*                                                      [s]     */
-    int stay, stays;     /* with relief: substeps that the lag is still for, was last    */
+    double *gain;    /* of the last substep, gain_dt long; NULL: no viscosity        */
+    double gain_dt;  /*                                                      [s]     */
+    int stay, stays; /* with relief: substeps that the lag is still for, was last    */
     double *past;    /* [MARCH_GAINS][nodes][3] gain of velocity in the last step, and its
                         backward differences of orders 1, 2, ..., past_dt long  [m/s]    */
     double past_dt;  /*                                                          [s]     */

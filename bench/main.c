@@ -89,7 +89,10 @@ static void print_plan_help(FILE *file)
           file);
     plan_keys(print_key, file);
     fputs(
-        "\nKEY is any that --set takes (clothbench help scene), scene, model, or gamma or\n"
+        "\nAxes are KEY: [VALUE, ...], KEY: {from: ..., to: ..., count: ...} or AXIS: "
+        "{LABEL:\n"
+        "{KEY: VALUE, ...}, ...}, and every combination of them is a case.\n"
+        "KEY is any that --set takes (clothbench help scene), scene, model, or gamma or\n"
         "young_over_density, which set material.young so that the number takes the value.\n"
         "Measures of verdicts, falls and maps:\n\n",
         file);

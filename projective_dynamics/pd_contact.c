@@ -43,7 +43,9 @@ enum status pd_contact_init(struct pd_contact *c, const struct scene *scene,
                  ROOM(c->compliance, nodes)));
     TRY(mesh_contact(mesh, scene, &surface));
     TRY(contact_init(&c->law, scene, &surface));
-    c->law.thin.count = 0; /* its fixed matrix does not arrive where they act */
+    /* Triangles that meet a feature share nodes: where two press, `settle`, which gives
+     * each its force by itself, throws the nodes through the body, and changes grow. */
+    c->law.thin.count = 0;
     return STATUS_OK;
 out:
     pd_contact_clear(c);

@@ -426,24 +426,31 @@ def scenes_of(rows):
 def baseline_rows():
     return tables(TOP / "peers" / "baselines.csv")[-1][1]
 
-def reached(rows):
-    """The error at the last time, in per cent; bold where `score` has nothing to say against it."""
+# Since then `export` tells stiffnesses of hinges and springs that are right; who takes them.
+RIGHT_SINCE, TAKE_THEM = "2026-11-29", ("Jolt", "Rapier, frequencies", "Blender", "Bullet, implicit")
+
+def reached(rows, time):
+    """The error at `time`, the last one of all, in per cent; bold where `score` has nothing to say
+    against it; a star where the exported stiffnesses were the old ones."""
     last = rows[-1]
+    old = "*" * (last["simulator"].startswith(TAKE_THEM) and last["date"] < RIGHT_SINCE)
     if not last["error"]:
         return f"died, {float(last['time']):.2g} s" if last["time"] else "refused"
     said_sound = re.search(r"^Nothing |^Is at its net|\. Nothing ", last["diagnosis"])
-    return f"**{part_of(last['error'])}**" if said_sound else part_of(last["error"])
+    error = part_of(next((r["error"] for r in rows if r["time"] == time), last["error"]))
+    return (f"**{error}**" if said_sound else error) + old.replace("*", "\\*")
 
 def peers():
     """A row a simulator, a column a scene."""
     scenes = scenes_of(baseline_rows())
     columns = {name: by_case(rows) for name, rows in scenes.items()}
     titles = list(dict.fromkeys((r["simulator"], r["step"]) for r in scenes["hanging"]))
-    judged = {name: next(r for r in reversed(rows) if r["bar"]) for name, rows in scenes.items()}
+    judged = {name: min((of[-1] for of in columns[name].values() if of[-1]["bar"]),
+                        key=lambda r: float(r["time"])) for name in scenes}
     rows = [["truth: its error bar"] + [part_of(r["bar"]) for r in judged.values()]]
     for title, step in titles:
-        cells = [[reached(of) for (t, _, s), of in found.items() if (t, s) == (title, step)]
-                 for found in columns.values()]
+        cells = [[reached(of, judged[scene]["time"]) for (t, _, s), of in found.items()
+                  if (t, s) == (title, step)] for scene, found in columns.items()]
         rows.append([title] + [cell[-1] if cell else "" for cell in cells])
     return markdown([""] + [f"`{name}`, {float(r['time']):g} s" for name, r in judged.items()],
                     rows)

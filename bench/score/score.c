@@ -368,35 +368,71 @@ out:
     return st;
 }
 
+/* Frames far from the truth's way have a way of their own: where one is lost the sheet
+ * moves as it does before and after, by so many intervals too far, and not at all where one
+ * stands twice. A jump is a whole number of intervals within WHOLE, leaves less than LEFT
+ * of what is unlike the motion before and after, and moves the sheet by LEAST of the
+ * length. What is stopped has velocities before and after that differ by twice their mean;
+ * here they differ by half of that at most. */
+static const double WHOLE = 0.2, LEFT = 1 / 3., LEAST = 1e-3;
+
+/* Compares the motion between the last but one and the frame before it with the motion
+ * before and after; x, t: four frames, the newest first. Keeps the clearest jump. */
+static void take_own(struct score *s, int numbers, double *const x[4], const double t[4])
+{
+    const double dt = t[1] - t[2];
+    double dot = 0, square = 0, change = 0, self = 0, far = 0;
+
+    for (int n = 0; n < numbers; n++) {
+        const double after = (x[0][n] - x[1][n]) / (t[0] - t[1]),
+                     here = (x[1][n] - x[2][n]) / dt,
+                     before = (x[2][n] - x[3][n]) / (t[2] - t[3]),
+                     mean = (after + before) / 2;
+        dot += here * mean, square += mean * mean, self += here * here;
+        change += (after - before) * (after - before), far += (here - mean) * (here - mean);
+    }
+    const double times = square > 0 ? dot / square : 1, jump = (times - 1) * dt,
+                 off = fmax(self - times * dot, 0), whole = round(jump / s->interval),
+                 moved = fabs(jump) * sqrt(3 * square / numbers);
+    if (whole == 0 || fabs(jump / s->interval - whole) > WHOLE || change > square ||
+        off > LEFT * LEFT * far || moved < LEAST * s->truth.scene.length ||
+        off / far >= s->own.left)
+        return;
+    s->own.jump = jump, s->own.from = t[1], s->own.left = off / far;
+}
+
 static enum status read_frames(struct score *s, struct frames *frames,
                                const struct score_look *look, struct message *why)
 {
     const int vertices = frames_net(frames)->vertices;
     const size_t numbers = 3 * (size_t)vertices;
-    double *newest = arena_take(&s->arena, numbers, sizeof *newest),
-           *before = arena_take(&s->arena, numbers, sizeof *before);
+    double *x[4], when[4]; /* the newest first */
     const double *xyz;
-    double t, step = 0;
     enum status st = STATUS_OK;
 
-    for (;; s->frames++, s->last = t) {
+    for (int k = 0; k < 4; k++)
+        x[k] = arena_take(&s->arena, numbers, sizeof *x[k]);
+    for (;; s->frames++, s->last = when[0]) {
+        double t, *const oldest = x[3];
         TRY(frames_next(frames, &t, &xyz, why));
         if (!xyz)
             break;
-        double *const oldest = before;
-        before = newest, newest = oldest;
-        turn(look, vertices, xyz, newest);
+        memmove(x + 1, x, 3 * sizeof *x);
+        memmove(when + 1, when, 3 * sizeof *when);
+        x[0] = oldest, when[0] = t;
+        turn(look, vertices, xyz, x[0]);
         if (!s->frames) {
             s->first = t;
-            TRY(make_net(s, frames, look, newest, why));
+            TRY(make_net(s, frames, look, x[0], why));
         } else {
-            step = t - s->last;
-            s->interval = fmin(s->interval, step);
-            s->repeats += !memcmp(before, newest, numbers * sizeof *newest);
+            s->interval = fmin(s->interval, t - s->last);
+            s->repeats += !memcmp(x[1], x[0], numbers * sizeof *x[0]);
         }
-        view_take(&s->grid, t, newest);
-        view_take(&s->fine, t, newest);
-        st = score_contact_take(&s->contact, t, newest);
+        if (s->frames >= 3)
+            take_own(s, (int)numbers, x, when);
+        view_take(&s->grid, t, x[0]);
+        view_take(&s->fine, t, x[0]);
+        st = score_contact_take(&s->contact, t, x[0]);
         if (st == STATUS_NAN)
             st = status_fail(why, STATUS_INPUT,
                              "%s: frame %d: a position times --scale is no finite number",
@@ -404,7 +440,7 @@ static enum status read_frames(struct score *s, struct frames *frames,
         TRY(st);
     }
     if (s->frames > 1)
-        score_contact_end(&s->contact, s->last, step, before, newest);
+        score_contact_end(&s->contact, s->last, s->last - when[1], x[1], x[0]);
     if (!s->frames)
         st = status_fail(why, STATUS_INPUT, "%s: has no frames", frames_name(frames));
 out:
@@ -518,7 +554,7 @@ enum status score_read(const char *scene, int count, const char *const *paths,
     enum status st;
 
     memset(s, 0, sizeof *s);
-    s->interval = INFINITY;
+    s->interval = s->own.left = INFINITY;
     TRY(score_truth_read(scene, &s->truth, why));
     TRY(score_ladder_read(&s->arena, &s->truth.scene, &s->ladder, why));
     begin(s);

@@ -134,6 +134,11 @@ struct score {
     struct arena arena;     /* of all arrays, but the truth's                   owned   */
     int frames, repeats;    /* count; those equal to the one before                     */
     double first, last, interval; /* frames' times, shortest interval [s]                */
+    struct {
+        double jump, from; /* frames from then on are ahead of their own way by so much [s];
+                              0: nowhere                                                 */
+        double left;       /* share of what is unlike before and after (score.c)         */
+    } own;
     double start;    /* rms displacement at t = 0 [m]; NaN: no such frame               */
     double begin[3]; /* the same on average over the sheet, with its direction [m]      */
 };

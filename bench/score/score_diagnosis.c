@@ -692,6 +692,7 @@ static int find_jump(const struct score *s, const struct lead *lead, int count)
 /* These functions find what frames say of their times. */
 struct times {
     double jump, from;      /* [s] the lead jumps at this time; 0: it does not           */
+    bool own;               /* it is the lead before their own way, not the truth's      */
     struct clock lag, pace; /* one lead of all, one speed                                */
 };
 
@@ -706,6 +707,8 @@ static struct times find_times(const struct score *s)
     const int count = find_leads(s, lead), at = find_jump(s, lead, count);
     if (at > 0)
         times.jump = lead[at].lead - lead[at - 1].lead, times.from = lead[at].time;
+    else
+        times.jump = s->own.jump, times.from = s->own.from, times.own = true;
     if (count)
         times.lag = compare(s, 1, lead[count / 2].lead);
     if (!s->truth.known.closed) /* in a free fall it is another gravity */
@@ -1166,9 +1169,9 @@ static bool say_times(const struct score *s, struct evidence *e)
 
     if (times->jump != 0) {
         say(d, times->jump > 0 ? SCORE_LOST_FRAME : SCORE_DOUBLED_FRAME, times->from,
-            "From %.4g s on it %s the truth by %.3g ms more than before: %s there?",
-            times->from, times->jump > 0 ? "is ahead of" : "lags behind",
-            1e3 * fabs(times->jump),
+            "From %.4g s on it %s %s by %.3g ms more than before: %s there?", times->from,
+            times->jump > 0 ? "is ahead of" : "lags behind",
+            times->own ? "its own way" : "the truth", 1e3 * fabs(times->jump),
             times->jump > 0 ? "is a frame missing" : "does a frame stand twice");
         return true;
     }
@@ -1275,17 +1278,22 @@ static bool is_sound(const struct score *s)
     return sound;
 }
 
+/* Reports the fitted flaws. Of a lead that stands alone, and is no first-order step's, the
+ * frames' own is told: what their net costs grows along the way, and the fit over all of it
+ * takes a part of it for time. */
 static bool say_fit(const struct score *s, struct evidence *e)
 {
     const struct score_fit *fit = &e->fit;
     struct score_diagnosis *d = e->d;
-    const double *value = fit->value;
+    const double *value = fit->value, own = e->times.lag.shift;
+    const bool alone = fit->count == 1 && own * value[FIT_LEAD] > 0,
+               step = value[FIT_LEAD] > 0 && value[FIT_LEAD] < HALF_STEP * s->interval;
 
     if (is_sound(s) && !d->count && fit->left > MUCH_BETTER)
         return false;
 
     if (fit->has[FIT_LEAD])
-        say_lead(s, value[FIT_LEAD], e->support.shift, d);
+        say_lead(s, alone && !step ? own : value[FIT_LEAD], e->support.shift, d);
     if (fit->has[FIT_GRAVITY])
         say_gravity(s, 1 + value[FIT_GRAVITY], &e->times.pace, fit, d);
     if (fit->has[FIT_DAMPING])

@@ -707,7 +707,7 @@ static struct times find_times(const struct score *s)
     const int count = find_leads(s, lead), at = find_jump(s, lead, count);
     if (at > 0)
         times.jump = lead[at].lead - lead[at - 1].lead, times.from = lead[at].time;
-    else
+    else if (s->repeats < 2) /* where many stand twice, it is another pace */
         times.jump = s->own.jump, times.from = s->own.from, times.own = true;
     if (count)
         times.lag = compare(s, 1, lead[count / 2].lead);

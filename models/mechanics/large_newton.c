@@ -21,6 +21,10 @@ static const double LEEWAY = 1e-3;
  * has no such allowance: it follows movements below the tolerance, too, which short steps
  * would lose. */
 static const double NEAR = 0.1;
+/* Under contact the tangent is kept only while changes are longer than so many tolerances:
+ * forces are far less known than places there, and with an old tangent the last change
+ * leaves 5e-4 of an impulse unbalanced. */
+static const double FAR = 100;
 /* Steps in time that do not halve in so many iterations creep about a tangent without
  * stress, and most never converge: two halves of the time step are cheaper than going on.
  * (edge_drop, undamped, no lag, to 0.9 s, shell 16x16, p = 3: .60 of the assemblies.) */
@@ -245,6 +249,17 @@ static void fill_beside(const struct march *m, const struct large_equation *q,
         i->work[t] = i->d[t] + (back > 0 ? back * (i->x[t] - i->d[t] - old[t]) : 0);
 }
 
+/* Returns the change that ends the iteration. */
+static double tolerance(const struct march *m, const struct large_equation *q)
+{
+    const double most = STEP_TOLERANCE * m->scene->length;
+    const bool held = m->contact && m->contact->held;
+
+    if (q->tolerance > 0)
+        return q->tolerance;
+    return held ? fmax(most, LEEWAY * m->contact->body.range) : most;
+}
+
 /* Finds the next step, with the old tangent if that still works well. */
 static enum status next_step(struct march *m, const struct large_equation *q,
                              struct iteration *i, struct counters *counters)
@@ -252,7 +267,7 @@ static enum status next_step(struct march *m, const struct large_equation *q,
     enum status st;
     double size = INFINITY, *swap;
 
-    if (q->chord > 0)
+    if (q->chord > 0 && (!touches(m) || i->size > FAR * tolerance(m, q)))
         TRY(solve(m, q, i, &size, counters));
     if (!(size <= i->chord * i->size)) {
         fill_beside(m, q, i);
@@ -284,17 +299,6 @@ static bool settled(const struct march *m, double size, double before)
     const double shrink = 0.1, round_off = 1e-14;
 
     return m->added == 0 || size <= shrink * before || size <= round_off * m->scene->length;
-}
-
-/* Returns the change that ends the iteration. */
-static double tolerance(const struct march *m, const struct large_equation *q)
-{
-    const double most = STEP_TOLERANCE * m->scene->length;
-    const bool held = m->contact && m->contact->held;
-
-    if (q->tolerance > 0)
-        return q->tolerance;
-    return held ? fmax(most, LEEWAY * m->contact->body.range) : most;
 }
 
 enum status large_newton_solve(struct march *m, const struct large_equation *q, double *x,

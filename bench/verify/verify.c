@@ -219,6 +219,9 @@ static enum status choose(struct job *job, const struct command_line *line,
         if (!check)
             return status_fail(why, STATUS_INPUT, "%s: there is no %s '%s'; there are %s",
                                job->set->command, job->set->item, line->words[n], names);
+        if (job->read_only && !is_due(job, check))
+            return status_fail(why, STATUS_INPUT, "%s: %s has no results of %s",
+                               job->set->command, job->folder, check->item.name);
         for (i = 0; i < job->count && job->check[i] != check; i++)
             ;
         if (i == job->count)

@@ -212,7 +212,8 @@ static struct verify_subject filled(const struct verify_subject *row,
 }
 
 /* Returns whether a contestant that the field's table does not name comes in. A model's
- * name does not ask for the contestant of that name where it does not enter. */
+ * name does not ask for the contestant of that name where it does not enter, unless all are
+ * claimed the same. */
 static bool comes_in(const struct verify_sheet *sheet, const struct verify_field *field,
                      const struct contestant *c)
 {
@@ -220,8 +221,9 @@ static bool comes_in(const struct verify_sheet *sheet, const struct verify_field
     const bool left_out =
         field->without && contestant_chosen(c, field->without, CONTESTANT_EVERYWHERE);
     const bool enters = !left_out && c->enters & field->enters;
+    const bool asked = enters || field->tolerance > 0 || strcmp(c->name, c->model->name);
 
-    return field->enters && (enters || strcmp(c->name, c->model->name)) &&
+    return field->enters && asked &&
            contestant_chosen(c, sheet->models, left_out ? NOWHERE : field->enters);
 }
 

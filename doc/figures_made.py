@@ -125,7 +125,7 @@ def frames(name, kinematics="printed"):
 def table23():
     """Each over the row Fig. 12b; of Table 3 the last row, which alone is new."""
     plan = (TOP / "bench" / "plans" / "table2.yaml").read_text()
-    captions = dict(re.findall(r'name: (\w+), caption: "([^"]*)"', plan))
+    captions = dict(re.findall(r'(\w+): \{caption: "([^"]*)"', plan))
     made = []
     for name, unit in [("table2", row(frames("table2"), study="fig12b")),
                        ("table3", frames("table3")[0])]:

@@ -684,87 +684,6 @@ static double bend_step(const struct bend *b, const double at[3], double *u, dou
     return change;
 }
 
-/* The most nodes of a place of a smooth surface. */
-enum { MOST_NODES = 256 };
-
-/* Computes the weights of places at `from` along u or v and two steps on; false: they have
- * other nodes than a foot. */
-static bool weights_at(const struct contact_surface *s, const struct contact_foot *foot,
-                       int by, double from, double step, const int *node,
-                       double w[3][MOST_NODES])
-{
-    int other[MOST_NODES];
-
-    for (int n = 0; n < 3; n++)
-        if (s->row(s->self, by ? foot->u : from + n * step, by ? from + n * step : foot->v,
-                   other, w[n]) != foot->count ||
-            memcmp(other, node, foot->count * sizeof *node))
-            return false;
-    return true;
-}
-
-/* Computes the change of a foot's weights by u or v, and of its place, by differences of
- * second order within the sheet, which ends at low_high, and the span; false: it has no
- * room. */
-static bool slope_at(const struct contact_sheet *sheet, const struct contact_foot *foot,
-                     int by, const double low_high[2], double step, const int *node,
-                     double slope[MOST_NODES], double way[3])
-{
-    const double at = by ? foot->v : foot->u, tries[3] = {at - step, at, at - 2 * step};
-    double w[3][MOST_NODES], sum = 0, on = NAN;
-
-    for (int n = 0; n < 3 && isnan(on); n++)
-        if (tries[n] >= low_high[0] && tries[n] + 2 * step <= low_high[1] &&
-            weights_at(sheet->surface, foot, by, tries[n], step, node, w))
-            on = at - tries[n];
-    if (isnan(on))
-        return false;
-    for (int k = 0; k < foot->count; k++) {
-        slope[k] = ((2 * on - 3 * step) * w[0][k] - (4 * on - 4 * step) * w[1][k] +
-                    (2 * on - step) * w[2][k]) /
-                   (2 * step * step);
-        sum += slope[k];
-    }
-    way[0] = way[1] = way[2] = 0;
-    for (int k = 0; k < foot->count; k++) {
-        slope[k] -= sum / foot->count; /* round-off */
-        for (int i = 0; i < 3; i++)
-            way[i] += slope[k] * sheet->x[3 * (long)node[k] + i];
-    }
-    return true;
-}
-
-/* Moves a foot on the border of a smooth surface beyond it, as reach_beyond does one of a
- * net: along the plane that touches it there. */
-static void reach_out(const struct contact_sheet *sheet, const struct bend *b,
-                      const double way[3], struct contact_foot *foot, const int *node,
-                      double *weight)
-{
-    const double low_high[2][2] = {{b->low, b->high}, {0, 1}};
-    double slope[2][MOST_NODES], d[2][3], n[3], across[2][3];
-
-    if (sheet->surface->width > MOST_NODES ||
-        (foot->u > b->low && foot->u < b->high && foot->v > 0 && foot->v < 1))
-        return;
-    for (int k = 0; k < 2; k++)
-        if (!slope_at(sheet, foot, k, low_high[k],
-                      spread * (low_high[k][1] - low_high[k][0]), node, slope[k], d[k]))
-            return;
-    vector_cross(d[0], d[1], n);
-    vector_cross(way, d[1], across[0]);
-    vector_cross(d[0], way, across[1]);
-    const double square = vector_dot(n, n), h = vector_dot(way, n) / square;
-    if (!(fabs(h) * sqrt(square) > SLANT * foot->distance))
-        return;
-    for (int k = 0; k < foot->count; k++)
-        weight[k] += (vector_dot(across[0], n) * slope[0][k] +
-                      vector_dot(across[1], n) * slope[1][k]) /
-                     square;
-    foot->distance = fabs(h) * sqrt(square);
-    for (int i = 0; i < 3; i++)
-        foot->normal[i] = h * n[i] / foot->distance;
-}
-
 static void refine_smooth(const struct contact_sheet *sheet,
                           const struct contact_place *place, struct contact_foot *foot,
                           int *node, double *weight)
@@ -795,7 +714,6 @@ static void refine_smooth(const struct contact_sheet *sheet,
     vector_cross(b.d[0], b.d[1], normal);
     point_along(foot->distance > 0 ? way : normal, foot);
     foot->strength = strength(sheet, place, foot, true);
-    reach_out(sheet, &b, way, foot, node, weight);
 }
 
 void contact_foot_refine(const struct contact_sheet *sheet, int count,

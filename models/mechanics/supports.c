@@ -464,14 +464,6 @@ void supports_shift(const struct supports *s, const struct scene *scene, double 
     }
 }
 
-void supports_place(const struct supports *s, const struct scene *scene, double t,
-                    const double *rest, double *room, double *x)
-{
-    supports_shift(s, scene, t, room);
-    for (int h = 0; h < s->held_count; h++)
-        supports_set(s, h, x, supports_get(s, h, rest) + room[h]);
-}
-
 void supports_carry(const struct supports *s, const double *x_old, double *x)
 {
     for (int u = 0; u < 3 * s->nodes; u++)

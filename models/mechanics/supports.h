@@ -138,11 +138,6 @@ void supports_damp(const struct supports *s, double factor, double *v);
 void supports_shift(const struct supports *s, const struct scene *scene, double t,
                     double *shift);
 
-/* Puts the held components of x[nodes][3] where they are at time t; rest[nodes][3], room
- * [held_count]. */
-void supports_place(const struct supports *s, const struct scene *scene, double t,
-                    const double *rest, double *room, double *x);
-
 /* Returns the time of static equilibrium: the scene's end if supports move, else 0. */
 double supports_rest_time(const struct supports *s, const struct scene *scene);
 

@@ -1,5 +1,5 @@
 """One corpus of files that somebody broke, or made on purpose, for both readers: the program's (tables by
-`stress --from`, results by `score`) and the package's. What one refuses the other refuses, with the same
+`verify --from`, results by `score`) and the package's. What one refuses the other refuses, with the same
 words; nothing that a name has reaches a terminal as control characters; nobody waits for a pipe."""
 import os
 import subprocess
@@ -39,12 +39,12 @@ def as_link(path):
     (b'a,b\n"x\033[2J",\xff\n', None), (b"a," * 20000 + b"a\n" + b"1," * 20000 + b"1\n", None),
 ])
 def test_tables(tmp_path, made, words):
-    path = tmp_path / "stress.csv"
+    path = tmp_path / "fall.csv"
     if callable(made):
         made(path)
     else:
         path.write_bytes(made)
-    code, said = told("stress", "--from", tmp_path)
+    code, said = told("verify", "fall", "--from", tmp_path)
     try:
         ours = "read" if results.tables(path) else ""
     except Bad as bad:

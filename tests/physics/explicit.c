@@ -1,6 +1,6 @@
-/* Explicit steps of shell and solids (integrator_leapfrog.c): the motion that implicit steps
- * give, the stable step and what watches it, the shell's mass. (Falls:
- * fall.c; order: time_order.c; rest: settle.c.) */
+/* Explicit steps of shell and solids (integrator_leapfrog.c): the motion that implicit
+ * steps give, the stable step and what watches it, the shell's mass. (Falls: fall.c; order:
+ * time_order.c; rest: settle.c.) */
 #include "models/mechanics/lumped_mass.h"
 #include "models/solid/solid_model.h"
 #include "shell_ref/shell_model.h"

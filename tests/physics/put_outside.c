@@ -1,7 +1,7 @@
 /* Bodies under the paper's kinematics, printed and incremental, whose solids are put back
- * on them after each step (models/mechanics/integrator_printed.c): a body that is not reached
- * changes no bit; none gets in, by either face, or moves without taking the sheet along;
- * and a sheet that has landed gains no energy by it. */
+ * on them after each step (models/mechanics/integrator_printed.c): a body that is not
+ * reached changes no bit; none gets in, by either face, or moves without taking the sheet
+ * along; and a sheet that has landed gains no energy by it. */
 #include "models/metric/metric.h"
 #include "tests/opened_run.h"
 

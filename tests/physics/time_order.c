@@ -57,7 +57,7 @@ static const struct row {
     {"mass_spring", NET, 10, 1, false, {STIFF_DAMPED, "discretization.tolerance=1e-9"}},
     {"mass_spring_explicit", NET, 40, 1, false, {0}},
     {"mass_spring_explicit", NET, 40, 1, false, {STIFF_DAMPED}},
-    {"mass_spring_momentum", NET, 10, 2, false, {0}},
+    {"mass_spring_momentum", NET, 40, 2, false, {0}},
     {"mass_spring_leapfrog", NET, 40, 2, true, {0}},
     {"mass_spring_single", NET, 40, 0, true, {0}},
     {"position_based", NET, 20, 1, false, {ONCE}},

@@ -294,6 +294,9 @@ static void check_printed(void)
         "discretization.iterations=8",
         "discretization.tolerance=1.0000000000000001e-09",
         "discretization.bending=hinge",
+        "discretization.mesh=\"irregular\"",
+        "discretization.seed=5",
+        "discretization.refine=1",
         "discretization.contact=control_points",
         "discretization.turns=3",
         "discretization.weave=twill"};

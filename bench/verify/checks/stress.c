@@ -21,6 +21,7 @@
 #include "models/grid.h"
 #include "models/metric/crossing.h"
 #include "models/metric/metric.h"
+#include "models/reader/scene_file.h"
 
 const char *const stress_scene = "cantilever";
 
@@ -392,18 +393,19 @@ static enum status find_truth(const struct verify_sheet *sheet, bool made,
     static const struct truth_wish wish = {.error = 0.005, .seconds = 30, .shell = true};
     static const double time[] = {0.1, 0.2, 0.3};
     const int times = sizeof time / sizeof *time;
-    char folder[4096];
+    char folder[4096], *path = NULL;
     struct settings physics = {0};
-    enum status st = STATUS_OK;
+    enum status st;
 
+    TRY(scene_file_find(stress_scene, &path, why));
     settings_list(&physics, STRESS_SETTINGS, case_of(sheet)->physics);
     snprintf(folder, sizeof folder, "%s/%s.truth", sheet->folder, sheet->check->item.name);
     if (made)
         TRY(folder_make(folder, why));
-    st = made ? truth_find_or_make(stress_scene, &physics, times, time, folder, &wish,
-                                   truth, why)
-              : truth_find(stress_scene, &physics, times, time, folder, truth, why);
+    st = made ? truth_find_or_make(path, &physics, times, time, folder, &wish, truth, why)
+              : truth_find(path, &physics, times, time, folder, truth, why);
 out:
+    free(path);
     settings_clear(&physics);
     return st;
 }

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # A scene of this folder's `through`, in which a sheet is folded, drawn or pressed, runs to its
 # end, and its steps have at most four times the work of those without contact: of solves, of
-# which an assembly and a factorisation cost three to four (models/mechanics/large_motion.c).
+# which an assembly and a factorisation cost three to four (models/mechanics/large_newton.c).
 # A scene that nothing holds has none without: it would fall.
 #   through.sh PROGRAM SCENE MODEL
 program=$1

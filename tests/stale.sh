@@ -98,4 +98,21 @@ grep -q 'Nothing was left to run' out || fail "the mesh of another sweep: $(<err
 cp "$source_folder/tests/truths/flag.h5" truths/laid.h5
 run swept.yaml --out sweep
 grep -q '^2 cases run now' out || fail "a truth that is stored now: $(<out)"
+# the mesh of the sheet itself
+printf 'v %s 0\n' '0 0' '1 0' '1 1' '0 1' '0.5 0.4' >sheet.obj
+printf 'f %s 5\n' '1 2' '2 3' '3 4' '4 1' >>sheet.obj
+cat >meshed.yaml <<'EOF'
+name: meshed
+source: ours
+scene: edge_drop
+model: triangles
+settings: {time.end: 0.02}
+axes: {discretization.mesh: [sheet.obj, irregular]}
+EOF
+run meshed.yaml --out meshed
+run meshed.yaml --out meshed
+grep -q 'Nothing was left to run' out || fail "the same mesh of a sheet: $(<out)"
+sed -i 's/^v 0.5 0.4/v 0.5 0.6/' sheet.obj
+run meshed.yaml --out meshed
+grep -q '^1 cases run now' out || fail "a mesh of a sheet that was edited: $(<out)"
 [ "$failures" -eq 0 ]

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "models/contact/contact_mesh.h"
+#include "models/reader/input_file.h"
 #include "models/reader/scene_schema.h"
 
 static bool is_numerics(const char *setting)
@@ -14,6 +15,30 @@ static bool is_numerics(const char *setting)
 
     return !strncmp(setting, "discretization", length) &&
            (setting[length] == '.' || setting[length] == '=');
+}
+
+/* Writes the sum of a file that discretization.mesh names: a result depends on what is in
+ * it. One that cannot be read is refused by who reads it. */
+static void note_mesh(FILE *out, const char *setting)
+{
+    static const char key[] = "discretization.mesh=";
+    char path[4096];
+    const char *reason;
+    unsigned long long sum = 14695981039346656037u; /* FNV-1a, 64 bits */
+
+    if (strncmp(setting, key, sizeof key - 1) != 0)
+        return;
+    setting += sizeof key - 1;
+    const bool quoted = *setting == '"' || *setting == '\'';
+    snprintf(path, sizeof path, "%s", setting + quoted);
+    path[strcspn(path, quoted ? "\"'" : "")] = '\0';
+    FILE *file = input_file_open(path, &reason);
+    if (!file)
+        return;
+    for (int c = getc(file); c != EOF; c = getc(file))
+        sum = (sum ^ (unsigned char)c) * 1099511628211u;
+    fclose(file);
+    fprintf(out, "# mesh %s, sum %016llx\n", path, sum);
 }
 
 /* Writes the scene's text: the file's, below it the settings and sums of meshes as
@@ -30,6 +55,8 @@ static enum status annotate(const char *text, size_t size, int setting_count,
         fputc('\n', out);
     for (int i = 0; i < setting_count; i++)
         fprintf(out, "# --set %s\n", settings[i]);
+    for (int i = 0; i < setting_count; i++)
+        note_mesh(out, settings[i]);
     for (int n = 0; n < scene->obstacle_count; n++)
         if (scene->obstacles[n].mesh)
             fprintf(out, "# mesh %s, sum %016llx\n", scene->obstacles[n].file,

@@ -249,7 +249,7 @@ static const struct schema_key RANGE[] = {
     {"scale", "spacing of the values", SCHEMA_WORD, .words = SCALES, IN(range, scale)},
     {NULL}};
 
-/* What `help plan` lists of an axis. */
+/* `help plan` lists these keys of an axis. */
 static const struct schema_key AXIS_KEYS[] = {
     {"LABEL", "a value of the axis: what it sets, {KEY: VALUE}, and", SCHEMA_SECTION,
      .keys = LEVEL},

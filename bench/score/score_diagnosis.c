@@ -931,7 +931,7 @@ bool score_diagnosis_has_place(const struct score_diagnosis *d)
     return true;
 }
 
-/* What is known of frames while hypotheses are tried, and what was found. */
+/* Evidence holds what is known of frames while hypotheses are tried, and what was found. */
 struct evidence {
     struct score_diagnosis *d;
     struct held_off support;
@@ -1349,11 +1349,11 @@ static bool say_sound(const struct score *s, struct evidence *e)
     return true;
 }
 
-/* What frames may have, the plain before the subtle: place (turned, axes, units, order),
- * time (a lost frame, another clock), then physics. Each is told by how much of the error
- * it leaves, and displaces what was found before it where it leaves a third of that. Frames
- * are sound where their errors are those of good simulators, and a flaw is then believed
- * only if it leaves a quarter. */
+/* The table has what may be wrong with frames, the plain before the subtle: place (turned,
+ * axes, units, order), time (a lost frame, another clock), then physics. Each is told by
+ * how much of the error it leaves, and displaces what was found before it where it leaves a
+ * third of that. Frames are sound where their errors are those of good simulators, and a
+ * flaw is then believed only if it leaves a quarter. */
 static const struct {
     bool (*say)(const struct score *s, struct evidence *e); /* returns whether it holds */
     enum {

@@ -12,8 +12,8 @@ struct score_print {
     struct table *table; /* NULL before the first score, and for JSON           owned   */
 };
 
-/* What a score says, one list for text, JSON and the protocol: what is wrong with its
- * frames, how stiff they are, and where the sheet passes through itself or a body. */
+/* A score says, in one list for text, JSON and the protocol, what is wrong with its frames,
+ * how stiff they are, and where the sheet passes through itself or a body. */
 enum score_print_part {
     SCORE_PRINT_DIAGNOSIS,
     SCORE_PRINT_STIFFNESS,

@@ -5,7 +5,7 @@
 
 #include "bench/verify/verify_check.h"
 
-/* What a command runs. */
+/* A set has the checks that a command runs. */
 struct verify_set {
     const char *command, *item;               /* words for it, and for one of its checks  */
     const struct verify_check *const *checks; /* NULL ends them                           */

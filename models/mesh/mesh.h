@@ -48,8 +48,9 @@ struct mesh {
 /* Makes the grid of a scene; points: n, m >= 2 of a sheet. */
 enum status mesh_init(struct mesh *mesh, const struct scene *scene, const int points[2]);
 
-/* What a mesh has at edges: nothing; turns, at rest 0; the sheet's slopes across them, at
- * rest the direction outward from the first triangle, in lengths mesh->scale. */
+/* A mesh has no nodes at its edges, or turns there, which are 0 at rest, or the sheet's
+ * slopes across them, at rest the direction outward from the first triangle, in lengths
+ * mesh->scale. */
 enum mesh_edges { MESH_NO_NODES, MESH_TURNS, MESH_SLOPES };
 
 /* Makes the mesh that a discretization asks for, which has nodes at edges only where the

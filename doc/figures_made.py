@@ -100,12 +100,12 @@ def table1():
                      "RMSE to IGA at 0.1 ... 1 s [m]", "error"], made)
 
 def statements():
+    """Of each reading its name, without its reason; of those that it turns on, too."""
     rows = part("paper", "statements of the paper", "verdict")
-    return markdown(["section", "the paper states", "reading (and why)", "here", "verdict",
-                     "what it turns on", "ours"],
-                    [[r[key].replace("|", "/") for key in ("source", "claim", "reading", "sentence",
-                                                           "verdict", "turns", "ours")]
-                     for r in rows])
+    return markdown(["section", "the paper states", "reading", "here", "verdict", "turns on"], [
+        [r["source"], r["claim"], r["reading"].partition(" (")[0], r["sentence"].replace("|", "/"),
+         r["verdict"], "; ".join(re.findall("on the reading (.*?), by which", r["turns"]))]
+        for r in rows])
 
 # The statements that README has, by how they begin.
 FIRST = ["mass-spring over", "hexahedra come within", "hexahedra of 32x32x2",
@@ -276,36 +276,6 @@ def best_contestants():
 
 def compare_models():
     return compare_table(best_contestants())
-
-def compare_threads():
-    """Of each contestant its nearest run of those that were timed with two threads."""
-    nearest = {}
-    for r in part("compare_threads", "with more threads", "seconds_2_threads"):
-        error = number(r["worst_rmse_over_length"])
-        if r["contestant"] not in nearest or error < nearest[r["contestant"]][0]:
-            nearest[r["contestant"]] = error, r
-    return markdown(["", "net", "error", "one thread [s]", "two [s]", "times", "same bits"], [
-        [r["title"], f"{r['side']}x{r['across']}", percent(100 * error),
-         seconds(r["seconds_1_thread"]), seconds(r["seconds_2_threads"]),
-         digits(r["times_2_threads"], 2), r["same_bits"]] for error, r in nearest.values()])
-
-def compare_plate():
-    """The cured plate of degree 3 on two kinds of nets, beside the first and the shell."""
-    def least(contestant):
-        rows = part("compare", "Least seconds", "seconds_0.01")
-        return float(row(rows, contestant=contestant)["seconds_0.01"])
-
-    square = min((float(r["seconds"]) for r in part("compare", "Every run", "seconds")
-                  if r["contestant"] == "iga_selective_3" and r["side"] == r.get("across")
-                  and number(r["worst_rmse_over_length"]) <= 0.01 and r["seconds"]),
-                 default=None)
-    return markdown(["`iga_selective_3`", "seconds to 1 %", "over `mass_spring_single`",
-                     "over `shell_selective_3`"],
-                    [[net, digits(time, 2)] + [digits(time / least(other), 2) for other in
-                                               ("mass_spring_single", "shell_selective_3")]
-                     if time else [net, "not reached", "", ""]
-                     for net, time in [("on a strip", least("iga_selective_3")),
-                                       ("on square cells", square)]])
 
 def scenes_titles():
     """{contestant: title}, in the order of the tables."""
@@ -736,40 +706,6 @@ def iterations_split():
                              [f"**{c}**" if e == least else c for c, e in zip(cells, errors)])
     return markdown(["", ""] + [f"{net}, {s} x {n}" for net, s, n in splits], lines)
 
-def iterations_enough():
-    """The fewest iterations whose error is at most a tenth, or the truth's bar, above that of the
-    most."""
-    def enough(**cells):
-        rows = iteration_rows(net="21x21", **cells)
-        errors = {int(r["iterations"]): number(r["error"]) for r in rows}
-        if not errors or math.isnan(errors[max(errors)]):
-            return "-"
-        most, bar = errors[max(errors)], number(rows[0]["error_bar"])
-        first = min(n for n, e in errors.items() if e <= max(1.1 * most, most + bar))
-        return f"{first}" if first < max(errors) else f"{first} or more"
-
-    scenes = list(dict.fromkeys(r["study"] for r in iteration_rows() if r["error"]))
-    return markdown([""] + [f"`{scene}`" for scene in scenes],
-                    [[title] + [", ".join(enough(study=scene, contestant=title, substeps=s)
-                                          for s in ("1", "4", "16")) for scene in scenes]
-                     for title in iterated()])
-
-def vertex_block():
-    """A row a method and iterations: the force that is left, and the way to Newton's steps."""
-    rows = [r for r in result("study_vertex-block")[-1][1] if r["left"]]
-    at = max(number(r["time_s"]) for r in rows)
-    counts = list(dict.fromkeys(r["iterations"] for r in rows))
-    lines = []
-    for step, words in (("long", "a step of 5 ms"), ("short", "ten of 0.5 ms")):
-        for method in ("sweeps", "Chebyshev"):
-            found = [row([r for r in rows if number(r["time_s"]) == at], study=step,
-                         method=method, iterations=n) for n in counts]
-            lines.append([f"{words}, {method}: force left, of the loads"] +
-                         [digits(r["left"], 2) for r in found])
-            lines.append(["... way to Newton's, of the length"] +
-                         [f"{number(r['apart']):.1e}" for r in found])
-    return markdown(["iterations in a step"] + counts, lines)
-
 def errors_by_net(name, columns, bound):
     """A row for each of `columns`, [(title, cells of its rows)], a column a scene: errors in per cent
     from coarse to fine; in bold those above bound(row, key, errors of coarser nets)."""
@@ -808,16 +744,6 @@ def remedies():
     return errors_by_net("remedies", lambda models: [
         (f"`{model}`" + (", uncured" if cure == "none" else ""), {"model": model, remedy: cure})
         for model in models for cure in ("auto", "none")], bound)
-
-def supports():
-    return markdown(["contestant", "median", "largest", "second largest"],
-                    [[f"`{r['contestant']}`", r["median"], f"{r['largest']}, {r['sheet']}",
-                      f"{r['second']}, {r['second_sheet']}"] for r in result("supports")[-1][1]])
-
-def supports_orders():
-    return markdown(["", "strip across the middle", "strip along an edge", "two corner patches"],
-                    [[f"`{r['contestant']}`", r["middle_strip"], r["edge_strip"], r["patches"]]
-                     for r in result("supports_orders")[-1][1]])
 
 def touching():
     """A row a run: its last error against the truth, and what holds to its end."""

@@ -1,6 +1,6 @@
 /* plan.h - reads a plan: which cases to run, what to read off them, how to judge and draw
- * them. It is YAML; every error is one sentence `file:line: ...`. doc/sweeps.md and
- * doc/studies.md show plans, the schema in plan.c (clothbench help plan) has all keys.
+ * them. It is YAML; every error is one sentence `file:line: ...`.
+ * doc/studies.md shows plans, the schema in plan.c (clothbench help plan) has all keys.
  *
  * The cases of a study are all combinations of its axes, the first changing slowest. An
  * axis has labelled values, each of which sets some keys: any that --set takes, or `scene`,

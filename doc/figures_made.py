@@ -9,7 +9,6 @@ import itertools
 import math
 import pathlib
 import re
-import statistics
 import sys
 
 TOP = pathlib.Path(__file__).resolve().parent.parent
@@ -145,28 +144,6 @@ def table23():
     return markdown(["", "degree", "net", "printed", "prefactored", "paper", "relative",
                      "paper's"], made[:-4] + made[-1:])
 
-def growth():
-    """Exponents of the time over the control points, and ratios that can be compared."""
-    nets = [r for r in frames("table2") if r["study"].startswith("fig12")]
-
-    def exponent(quantity, rows):
-        x, y = ([math.log(float(r[key])) for r in rows] for key in ("control_points", quantity))
-        return f"{statistics.linear_regression(x, y).slope:.2f}"
-
-    times = [float(r["paper_ms"]) / float(r["frame_ms"]) for r in frames("table2")]
-    ground, flag = (row(frames("table2"), study=study) for study in ("fig9", "fig15"))
-    return markdown(["", "paper", "clothbench"], [
-        ["exponent of a frame, Fig. 12a to 12d"] +
-        [exponent(key, nets) for key in ("paper_ms", "frame_ms")],
-        ["exponent of a frame, Fig. 12b to 12d"] +
-        [exponent(key, nets[1:]) for key in ("paper_ms", "frame_ms")],
-        ["exponent of assembly alone, Fig. 12a to 12d", "-", exponent("assemble_ms", nets)],
-        ["exponent of factorisation alone, Fig. 12a to 12d", "-", exponent("factor_ms", nets)],
-        ["a frame of Fig. 9 over one of Fig. 15"] +
-        [digits(float(ground[key]) / float(flag[key]), 2) for key in ("paper_ms", "frame_ms")],
-        ["a frame over ours, least and most in Table 2",
-         f"{digits(min(times), 2)}, {digits(max(times), 3)}", "1"]])
-
 def table4():
     shown = [("printed", "printed"), ("incremental", "incremental"), ("linear", "linear"),
              ("nonlinear solid", "nonlinear solid"), ("shell", "nonlinear shell")]
@@ -178,21 +155,6 @@ def table4():
                            for scene in ("flag", "edge_drop")) for _, reading in shown]
         rows.append([paper["answer"], str(18 - int(paper["always_no"]))] + cells)
     return markdown(["", "paper"] + [title for title, _ in shown], rows)
-
-def table4_verdicts():
-    """How many rows get the paper's yes or no, and when row 7 blows up."""
-    counts = part("table4", "Physics, or", "feasible")
-    worth = row(part("table4", "In hindsight", "always_no"), answer="feasible")
-    row7 = row(part("table4", "Table 4", "blowup_time"), reading="printed", scene="edge_drop",
-               row="7")
-    return markdown(["yes or no as in the paper", "of 18 rows"], [
-        [f"printed scheme, on `{scene}`",
-         row(counts, reading="printed", scene=scene)["feasible"].split(", ")[1]]
-        for scene in ("flag", "edge_drop")] + [
-        ["`no` to every row", worth["always_no"]],
-        ["two bounds on E/rho alone, chosen in hindsight", worth["ratio_bounds"]],
-        ["printed scheme, on `edge_drop`: row 7 blows up at",
-         f"{float(row7['blowup_time']):.3f} s"]])
 
 def worst(check, model, keep=lambda quantity: True):
     """The largest error of a check's rows of a model, whose title begins so."""
@@ -623,40 +585,6 @@ def locking():
         [f"degree {degree}", kept(degree, "0", "tip"), kept(degree, "0.3", "tip"),
          kept(degree, "0.3", "tip_of_reference")] for degree in (2, 3, 4)])
 
-def timestep():
-    whole("study_timestep")
-    rows = part("study_timestep", "the printed scheme is a viscous sheet", "to_next")
-
-    def last(**cells):
-        return [r for r in rows if all(r[key] == want for key, want in cells.items())][-1]
-
-    def steps(r):
-        return float((r["step"] or r["dt"]).split()[0]) / 1000
-
-    def order(study):
-        """The slope of the difference from the next step over the step, in logarithms."""
-        found = [last(study=study, step=f"{ms} ms") for ms in ("10", "5", "2.5", "1.25")]
-        x = [math.log(steps(r)) for r in found]
-        y = [math.log(float(r["to_next"])) for r in found]
-        mean = sum(x) / len(x)
-        return f"{sum((a - mean) * b for a, b in zip(x, y)) / sum((a - mean)**2 for a in x):.1f}"
-
-    off = []
-    for r in [r for r in rows if r["study"] == "fall" and float(r["time_s"]) == 1]:
-        mu = 1 / 3 if r["mu"] == "1/3" else float(r["mu"])
-        theory, speed = (1 + mu) / (2 * (1 - mu)), float(r["speed"])
-        before = [q for q in rows if all(q[key] == r[key] for key in ("scheme", "mu", "dt"))][1]
-        off.append((speed - float(before["speed"])) / 0.25 / theory - 1
-                   if r["scheme"] == "printed" else speed / steps(r) / theory - 1)
-    for r in [r for r in rows if r["study"] == "creep" and float(r["time_s"]) == 0.75]:
-        sag = float(last(study="sag", young=r["young"])["depth"])
-        off.append(float(r["speed"]) * steps(r) / sag - 1)
-    return markdown(["", "measured"], [
-        ["paper's scheme: largest error of the two formulae",
-         f"{100 * max(map(abs, off)):.3f} %"],
-        ["nonlinear sheet, velocities damped: order in the step", order("nonlinear_rate")],
-        ["nonlinear sheet, damped by mass: order in the step", order("nonlinear_mass")]])
-
 SPLITS = [(1, 1), (1, 4), (1, 16), (1, 64), (4, 1), (4, 4), (4, 16), (16, 1), (16, 4)]
 
 def iteration_rows(**cells):
@@ -783,15 +711,6 @@ def fabrics():
         made.append([study, model, percent(100 * float(own["error_bar"]))] +
                     [percent(100 * float(r["error"])) if r["error"] else "-" for r in (own, mean)])
     return markdown(["scene", "model", "truth's bar", "fabric's law", "isotropic mean"], made)
-
-def fabrics_apart():
-    """A row for each scene and fabric: how far the shell with the mean is from the shell."""
-    rows = part("study_fabrics", "law", "apart")
-    made = []
-    for study, run in itertools.groupby(rows, lambda r: r["study"]):
-        mean = [r for r in run if r["model"].startswith("shell") and r["law"] != "its own"][-1]
-        made.append([study, f"{float(mean['time_s']):g} s", percent(100 * float(mean["apart"]))])
-    return markdown(["scene and fabric", "at", "the mean is off by"], made)
 
 def denim():
     """A row for each table of CalculiX's: how far contestants are from it, and its own bar."""

@@ -53,7 +53,7 @@ good "${args[@]}" --out result.h5
 grep -aqF 'discretization.mesh="a \"mesh\".obj"' result.h5 || fail 'no mesh in the result file'
 
 sed '20s/.*/v one two/' good.obj >bad.obj
-says 'bad.obj:20: a point needs numbers' mesh=bad.obj
+says 'bad.obj:20: a vertex needs three numbers' mesh=bad.obj
 sed '$d' good.obj >hole.obj
 says 'inside the sheet' mesh=hole.obj
 says 'none.obj' mesh=none.obj

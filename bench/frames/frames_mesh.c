@@ -34,19 +34,16 @@ enum status frames_mesh_read(const char *path, struct frames_mesh *mesh,
 {
     const char *ending = strrchr(path, '.');
     const bool ply = ending && !strcmp(ending, ".ply");
-    struct frames_file file = {NULL};
     enum status st;
 
     *mesh = (struct frames_mesh){0};
-    TRY(frames_file_open(path, &file, why));
     if (!ply && !(ending && !strcmp(ending, ".obj")))
         TRY(status_fail(why, STATUS_INPUT, "%s: is no mesh; an .obj or .ply would be right",
                         path));
-    TRY(ply ? frames_mesh_ply(&file, mesh, why) : frames_mesh_obj(&file, mesh, why));
+    TRY((ply ? frames_mesh_ply : frames_mesh_obj)(path, mesh, why));
     if (!mesh->vertices)
         TRY(status_fail(why, STATUS_INPUT, "%s: has no vertices", path));
 out:
-    frames_file_close(&file);
     if (st != STATUS_OK)
         frames_mesh_clear(mesh);
     return st;

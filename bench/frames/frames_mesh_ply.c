@@ -236,12 +236,13 @@ static enum status make_room(struct ply *p, const struct element *e, struct mess
     return m->xyz && (m->uv || (uses & uv) != uv) ? STATUS_OK : STATUS_MEMORY;
 }
 
-enum status frames_mesh_ply(struct frames_file *f, struct frames_mesh *mesh,
-                            struct message *why)
+enum status frames_mesh_ply(const char *path, struct frames_mesh *mesh, struct message *why)
 {
-    struct ply p = {.file = f, .at = "", .mesh = mesh};
+    struct frames_file file;
+    struct ply p = {.file = &file, .at = "", .mesh = mesh};
     enum status st;
 
+    TRY(frames_file_open(path, &file, why));
     TRY(take_header(&p, why));
     for (int n = 0; n < p.elements; n++) {
         if (p.element[n].vertices)
@@ -249,5 +250,6 @@ enum status frames_mesh_ply(struct frames_file *f, struct frames_mesh *mesh,
         TRY(take_rows(&p, &p.element[n], why));
     }
 out:
+    frames_file_close(&file);
     return st;
 }

@@ -48,9 +48,9 @@ struct frames_mesh {
 enum status frames_mesh_read(const char *path, struct frames_mesh *mesh,
                              struct message *why);
 void frames_mesh_clear(struct frames_mesh *mesh);
-enum status frames_mesh_obj(struct frames_file *f, struct frames_mesh *mesh,
+enum status frames_mesh_obj(const char *path, struct frames_mesh *mesh,
                             struct message *why);
-enum status frames_mesh_ply(struct frames_file *f, struct frames_mesh *mesh,
+enum status frames_mesh_ply(const char *path, struct frames_mesh *mesh,
                             struct message *why);
 
 /* Adds a polygon's vertices [count], counted from 0, as triangles. */

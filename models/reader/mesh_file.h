@@ -1,7 +1,4 @@
-/* mesh_file.h - bodies from Wavefront OBJ files: lines `v x y z` and `f a b c ...`, where a
- * is a vertex's number from 1, or from the last one back if negative, and may go on as in
- * a/b/c. Vertices stand above the faces that name them; a face of more than three is cut
- * into a fan; other lines are skipped. */
+/* mesh_file.h - bodies from Wavefront OBJ files (obj_file.h). */
 #ifndef MESH_FILE_H
 #define MESH_FILE_H
 

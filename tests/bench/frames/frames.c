@@ -170,12 +170,12 @@ static void bad_meshes(void)
 #define FACE   "element face 1\nproperty list uchar int vertex_indices\n"
     static const struct bad_text row[] = {
         {"none.obj", "# nothing\n", "none.obj"},
-        {"v.obj", "v 1 2\n", "line 1"},
-        {"f.obj", "v 0 0 0\nf 1 1 2\n", "line 2"},
-        {"line.obj", "v 0 0 0\nv 1 0 0\nf 1 2\n", "line 3"},
+        {"v.obj", "v 1 2\n", "v.obj:1:"},
+        {"f.obj", "v 0 0 0\nf 1 1 2\n", "f.obj:2:"},
+        {"line.obj", "v 0 0 0\nv 1 0 0\nf 1 2\n", "line.obj:3:"},
         {"seam.obj",
          "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvt 1 1\nf 1/1 2/1 3/1\nf -3/2 -2 -1\n",
-         "line 7"},
+         "seam.obj:7:"},
         {"no.ply", "plz\n", "line 1"},
         {"end.ply", HEAD "element vertex 1\n" XYZ, "end.ply"},
         {"huge.ply", HEAD "element vertex 4000000000\n" XYZ "end_header\n", "line 3"},
@@ -188,7 +188,7 @@ static void bad_meshes(void)
          "line 4"},
         {"two.ply", HEAD VERTEX FACE "end_header\n0 0 0\n2 0 0\n", "line 11"},
         {"open.ply", HEAD VERTEX FACE "end_header\n0 0 0\n3 0 0\n", "open.ply"},
-        {"vt.obj", "v 0 0 0\nvt 0 0\nf 1/1 1/2 1/1\n", "line 3"},
+        {"vt.obj", "v 0 0 0\nvt 0 0\nf 1/1 1/2 1/1\n", "vt.obj:3:"},
     };
 
     check_texts(sizeof row / sizeof *row, row);

@@ -70,10 +70,10 @@ static void test_bad(void)
     static const struct {
         const char *text, *sentence;
     } bad[] = {{"", ": no faces"},
-               {"v 0 0\nv one 2 3\n", ":2: a point needs numbers"},
+               {"v 0 0 0\nv one 2 3\n", ":2: a vertex needs three numbers"},
                {SQUARE "f 1 2\n", ":5: a face has 2 corners"},
-               {SQUARE "f 1 2 5\n", ":5: '5' does not name"},
-               {SQUARE "f 1/1 2 3\n", ":5: '1/1' does not name"},
+               {SQUARE "f 1 2 5\n", ":5: a face names the vertex '5'"},
+               {SQUARE "f 1/1 2 3\n", ":5: a face names the vertex '1/1'"},
                {SQUARE "f 1 2 3\n", ":5: the triangles end at 1, 0.5 m, inside the sheet"},
                {SQUARE "f 1 2 2\n", ":5: a triangle without area"},
                {SQUARE "f 1 2 3\nf 1 2 4\nf 1 2 3\n", "three triangles meet"},

@@ -28,12 +28,12 @@ foreach(line IN LISTS lines)
   set(sees_${folder} ${folder} ${sees})
 endforeach()
 
-# What counts as one file: a.c and a.h, a part a_b.c that has no header of its own, and
-# a_parts.h, which such parts share.
+# What counts as one file: a.c and a.h, and a_b.c or a_b.h of which there is no other half.
 function(whole_file file result)
-  string(REGEX REPLACE "(_parts)?\\.[ch]$" "" own ${file})
+  string(REGEX REPLACE "\\.[ch]$" "" own ${file})
   set(stem ${own})
-  while(NOT EXISTS ${SOURCE}/${stem}.h AND stem MATCHES "^(.*)_[^_/]*$")
+  while(NOT (EXISTS ${SOURCE}/${stem}.h AND EXISTS ${SOURCE}/${stem}.c)
+        AND stem MATCHES "^(.*)_[^_/]*$")
     set(stem ${CMAKE_MATCH_1})
   endwhile()
   if(NOT EXISTS ${SOURCE}/${stem}.h)

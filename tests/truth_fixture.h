@@ -5,7 +5,7 @@
 
 #include "bench/files/hdf5_file.h"
 #include "bench/files/seal.h"
-#include "bench/truth/truth_parts.h"
+#include "bench/truth/truth_making.h"
 #include "models/reader/scene_file.h"
 #include "tests/check.h"
 

@@ -9,7 +9,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "bench/frames/frames_parts.h"
+#include "bench/frames/frames_reader.h"
 
 enum status frames_room(struct frames *f, long vertices, struct message *why)
 {

@@ -2,7 +2,7 @@
  * Max; little-endian: POINTCACHE2, version, points, start, rate, samples, positions). A
  * rate between 0 and 1 is the seconds from sample to sample; 1 counts frames, and tells no
  * time. */
-#include "bench/frames/frames_parts.h"
+#include "bench/frames/frames_reader.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -2,7 +2,7 @@
  * A first pass over the times finds runs of rows of one time,
  * which alone stay in memory; the runs of a frame are then read wherever they stand. */
 #define _DEFAULT_SOURCE /* strsep */
-#include "bench/frames/frames_parts.h"
+#include "bench/frames/frames_reader.h"
 
 #include <math.h>
 #include <stdlib.h>

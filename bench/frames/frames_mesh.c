@@ -1,5 +1,5 @@
 /* Reads meshes, .obj or .ply, and sequences of them; count and faces are the first's. */
-#include "bench/frames/frames_parts.h"
+#include "bench/frames/frames_reader.h"
 
 #include <ctype.h>
 #include <stdlib.h>

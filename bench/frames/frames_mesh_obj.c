@@ -1,5 +1,5 @@
 /* Takes the points, uv and triangles of an OBJ file. */
-#include "bench/frames/frames_parts.h"
+#include "bench/frames/frames_reader.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* Reads PLY (Turk, Stanford 1994): ascii, binary_little_endian, binary_big_endian. */
-#include "bench/frames/frames_parts.h"
+#include "bench/frames/frames_reader.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -8,7 +8,7 @@
 #include "bench/files/hdf5_file.h"
 #include "bench/files/store.h"
 #include "bench/frames/frames_array.h"
-#include "bench/frames/frames_parts.h"
+#include "bench/frames/frames_reader.h"
 #include "models/grid.h"
 
 struct moving {

@@ -11,7 +11,7 @@
 #include "bench/files/output.h"
 #include "bench/files/provenance.h"
 #include "bench/frames/frames.h"
-#include "bench/truth/truth_parts.h"
+#include "bench/truth/truth_making.h"
 #include "bench/ui/table.h"
 #include "models/reader/named_file.h"
 #include "models/reader/schema.h"

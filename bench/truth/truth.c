@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "bench/harness/distrust.h"
-#include "bench/truth/truth_parts.h"
+#include "bench/truth/truth_making.h"
 #include "fem_ref/kirchhoff.h"
 #include "models/contact/contact_shape.h"
 #include "models/grid.h"

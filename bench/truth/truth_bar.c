@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "bench/truth/truth_parts.h"
+#include "bench/truth/truth_making.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
 

@@ -5,7 +5,7 @@
 #include "bench/files/folder.h"
 #include "bench/files/provenance.h"
 #include "bench/harness/timing.h"
-#include "bench/truth/truth_parts.h"
+#include "bench/truth/truth_making.h"
 #include "bench/ui/command.h"
 #include "models/grid.h"
 #include "models/reader/scene_file.h"

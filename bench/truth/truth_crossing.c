@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "bench/truth/truth_parts.h"
+#include "bench/truth/truth_making.h"
 #include "models/metric/crossing.h"
 
 /* Searches the claimed fields; positions are rounded by up to TRUTH_PACKING (NaN: not

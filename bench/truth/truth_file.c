@@ -7,7 +7,7 @@
 
 #include "bench/files/store.h"
 #include "bench/harness/run.h"
-#include "bench/truth/truth_parts.h"
+#include "bench/truth/truth_making.h"
 #include "models/contact/contact_mesh.h"
 #include "models/damping.h"
 #include "models/grid.h"

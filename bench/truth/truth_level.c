@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "bench/harness/run_file.h"
-#include "bench/truth/truth_parts.h"
+#include "bench/truth/truth_making.h"
 
 enum { PATH = 4096 };
 

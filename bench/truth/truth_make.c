@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "bench/harness/deadline.h"
-#include "bench/truth/truth_parts.h"
+#include "bench/truth/truth_making.h"
 #include "iga/support_knots.h"
 #include "models/metric/metric.h"
 

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "bench/frames/frames.h"
-#include "bench/truth/truth_parts.h"
+#include "bench/truth/truth_making.h"
 #include "models/grid.h"
 #include "models/reader/input_file.h"
 

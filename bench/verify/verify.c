@@ -541,12 +541,12 @@ static enum status run(const struct command_line *line, struct message *why)
     return verify_run(&checks_set, line, stdout, why);
 }
 
-static const struct command_option options[] = {
-    {"--models", "A,B,...", false, "models or contestants (all)"},
-    {"--quick", NULL, false,
-     "leave out expensive checks and rows, and models without a claim"},
+const struct command_option verify_options[] = {
+    {"--jobs", "N", false, "runs at a time (the number of processors)"},
+    {"--models", "A,B,...", false, "models or contestants (all that take part)"},
+    {"--quick", NULL, false, "leave out what is expensive, and models without a claim"},
     {"--format", TABLE_FORMATS, false, "output format (text)"},
-    {"--out", "DIR", false, "folder of the rows, a file a check (results/verify)"},
+    {"--out", "DIR", false, "folder of the rows (results/ and the command's name)"},
     {"--from", "DIR", false, "print again from the files of an earlier run"},
     {NULL, NULL, false, NULL},
 };
@@ -565,7 +565,7 @@ const struct command verify_command = {
                 "verify --quick --format markdown\n",
     .least = 0,
     .most = MOST_CHECKS,
-    .options = options,
+    .options = verify_options + 1, /* in turn */
     .section = "checks",
     .items = items,
     .run = run,

@@ -15,6 +15,9 @@ struct verify_set {
                    subject; nothing was promised, and the command does not fail           */
 };
 
+/* The options of such a command, of which the first is for one whose rows are apart. */
+extern const struct command_option verify_options[];
+
 /* Runs the command and prints tables to `out`. STATUS_FAILED: claims are missed or died;
  * the sentence says how many, and where. */
 enum status verify_run(const struct verify_set *set, const struct command_line *line,

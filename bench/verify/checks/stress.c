@@ -939,16 +939,6 @@ static enum status run(const struct command_line *line, struct message *why)
     return verify_run(&set, line, stdout, why);
 }
 
-static const struct command_option options[] = {
-    {"--models", "A,B,...", false, "models or contestants (those that take part here)"},
-    {"--quick", NULL, false, "some of the cases, in less than a minute"},
-    {"--jobs", "N", false, "runs at a time (the number of processors)"},
-    {"--format", TABLE_FORMATS, false, "output format (text)"},
-    {"--out", "DIR", false, "folder of the rows, a file a case (results/stress)"},
-    {"--from", "DIR", false, "print again from the files of an earlier run"},
-    {NULL, NULL, false, NULL},
-};
-
 const struct command stress_command = {
     .name = "stress",
     .summary =
@@ -964,7 +954,7 @@ const struct command stress_command = {
         "through itself.\n",
     .examples = "stress\nstress --quick\nstress thin_5 buckling --models iga,shell\n",
     .most = 64,
-    .options = options,
+    .options = verify_options,
     .section = "cases",
     .items = stress_items,
     .run = run,

@@ -6,7 +6,7 @@
 
 #include "bench/files/folder.h"
 #include "bench/files/provenance.h"
-#include "bench/truth/truth_parts.h"
+#include "bench/truth/truth_making.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
 #include "tests/truth_fixture.h"

@@ -1,6 +1,6 @@
 /* The bar of a truth from made-up runs: sheets that are shifted by an error c h^p, so that
  * orders, bars and differences are known. */
-#include "bench/truth/truth_parts.h"
+#include "bench/truth/truth_making.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* Truths that are closed forms, held against what they solve: falls by steps of Runge and
  * Kutta, the hanging sheet's balance of forces, the elastica's table and the shell; whom
  * they are refused; that files, times and frames of them are as of other truths. */
-#include "bench/truth/truth_parts.h"
+#include "bench/truth/truth_making.h"
 
 #include "bench/harness/motion.h"
 #include "bench/truth/truth.h"

@@ -2,7 +2,7 @@
  * requested, and no more is run than time allows. Runs that are left are taken, what is
  * damaged or missing is made again, to the same bits. When it goes on and when it stops, of
  * made-up runs. A light cantilever needs no maker: it is Kirchhoff's plate. */
-#include "bench/truth/truth_parts.h"
+#include "bench/truth/truth_making.h"
 
 #include <sys/stat.h>
 #include <unistd.h>

@@ -1,5 +1,5 @@
 /* The plan of a truth: frames, nets, times at which tables judge; and what has no truth. */
-#include "bench/truth/truth_parts.h"
+#include "bench/truth/truth_making.h"
 
 #include "tests/truth_fixture.h"
 

@@ -4,7 +4,7 @@
 
 #include "bench/files/folder.h"
 #include "bench/truth/truth.h"
-#include "bench/truth/truth_parts.h"
+#include "bench/truth/truth_making.h"
 #include "fem_ref/reference.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"

@@ -1,6 +1,6 @@
 /* A third mechanics beside a truth, of made-up legs: when it ends a claim, when it says
  * nothing, what of it is refused, and how frames on three nets become it. */
-#include "bench/truth/truth_parts.h"
+#include "bench/truth/truth_making.h"
 
 #include <unistd.h>
 

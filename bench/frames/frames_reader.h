@@ -1,12 +1,13 @@
-/* frames_parts.h - shared by the readers of frames.h; private to them.
+/* frames_reader.h - a reader of one format of frames, and what all of them use; private to
+ * frames.h.
  *
  * A reader's `open` fills count, net.vertices (by frames_room), uv and faces as far as the
  * file has them, and timed; its `next` fills xyz of frame `number`, and *t where the file
  * has times. What all have in common (counting, times, finite numbers, --rest) frames.c
  * sees to.
  */
-#ifndef FRAMES_PARTS_H
-#define FRAMES_PARTS_H
+#ifndef FRAMES_READER_H
+#define FRAMES_READER_H
 
 #include "bench/frames/frames.h"
 #include "bench/frames/frames_file.h"

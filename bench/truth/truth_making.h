@@ -1,8 +1,8 @@
-/* truth_parts.h - how truths are made and printed: nets and steps, runs of each model, how
+/* truth_making.h - how truths are made and printed: nets and steps, runs of each model, how
  * far they may still be from the truth, and whether one more is due.
  */
-#ifndef TRUTH_PARTS_H
-#define TRUTH_PARTS_H
+#ifndef TRUTH_MAKING_H
+#define TRUTH_MAKING_H
 
 #include "bench/truth/truth.h"
 #include "bench/ui/table.h"

@@ -35,7 +35,7 @@ static inline int known_misses_mark(const struct verify_sheet *sheet,
         marked[n] = true;
         if (verify_row_failed(row))
             return 0;
-        printf("known as missed, but %s: %s | %s\n", verify_verdict_name((int)row->verdict),
+        printf("known as missed, but %s: %s | %s\n", verdict_word(row->verdict),
                row->quantity, row->subject);
         return 1;
     }
@@ -66,8 +66,8 @@ static inline int known_misses_wrong(const struct verify_sheet *sheet, const cha
     for (int n = 0; n < sheet->count; n++)
         if (verify_row_failed(&sheet->rows[n]) && !marked[n]) {
             printf("%s, and not known: %s | %s | %s | error %.2g\n",
-                   verify_verdict_name((int)sheet->rows[n].verdict), check,
-                   sheet->rows[n].quantity, sheet->rows[n].subject, sheet->rows[n].error);
+                   verdict_word(sheet->rows[n].verdict), check, sheet->rows[n].quantity,
+                   sheet->rows[n].subject, sheet->rows[n].error);
             wrong++;
         }
     free(marked);

@@ -39,8 +39,8 @@ static enum quantity quantity_of(const struct plan_statement *s, int n)
     return (enum quantity)quantity_find(s->quantity.list[n].key);
 }
 
-static enum judge judge_statement(const struct plan_statement *s,
-                                  const struct study_results *d, FILE *because)
+static enum verdict judge_statement(const struct plan_statement *s,
+                                    const struct study_results *d, FILE *because)
 {
     struct where row[2][LABELS + 1];
     const struct where *a = where_of(&s->row[0], row[0]), *b = where_of(&s->row[1], row[1]);
@@ -88,8 +88,8 @@ struct claim *claim_statements(const struct plan *plan)
 /* --- verdicts ----------------------------------------------------------------------------
  */
 
-static enum judge judge(const struct claim *c, const struct study_results *d,
-                        const struct where *reading, FILE *because)
+static enum verdict judge(const struct claim *c, const struct study_results *d,
+                          const struct where *reading, FILE *because)
 {
     struct study_results view = *d;
 
@@ -107,8 +107,8 @@ static bool is_busy(const struct study_results *d)
 /* Judges by another reading than the primary one, whose verdict is `turn`, and writes what
  * it turns, or the numbers of ours. */
 static enum status tell_reading(const struct claim *c, const struct claim_reading *reading,
-                                const struct study_results *d, enum judge turn, FILE *turns,
-                                FILE *ours)
+                                const struct study_results *d, enum verdict turn,
+                                FILE *turns, FILE *ours)
 {
     char *text = NULL;
     size_t size;
@@ -116,16 +116,16 @@ static enum status tell_reading(const struct claim *c, const struct claim_readin
 
     if (!memory)
         return STATUS_MEMORY;
-    const enum judge other = judge(c, d, reading->rows, memory);
+    const enum verdict other = judge(c, d, reading->rows, memory);
     if (fclose(memory) != 0) {
         free(text);
         return STATUS_MEMORY;
     }
     if (reading->ours)
         fprintf(ours, "%sOurs, %s: %s", ftell(ours) ? " " : "", reading->name, text);
-    else if (other != turn && (other == JUDGE_HOLDS || other == JUDGE_FAILS))
+    else if (other != turn && (other == VERDICT_HOLDS || other == VERDICT_FAILS))
         fprintf(turns, "%sIt turns on the reading %s, by which it %s: %s",
-                ftell(turns) ? " " : "", reading->name, judge_verdict(other), text);
+                ftell(turns) ? " " : "", reading->name, verdict_word(other), text);
     free(text);
     return STATUS_OK;
 }
@@ -139,19 +139,19 @@ static void write_reading(const struct claim *c, FILE *file)
 
 /* Returns the verdict that the results allow: of seconds only those of an idle machine, of
  * a quick run only what it settles. */
-static enum judge allowed(const struct claim *c, const struct study_results *d,
-                          enum judge turn)
+static enum verdict allowed(const struct claim *c, const struct study_results *d,
+                            enum verdict turn)
 {
-    return c->timed && is_busy(d)                        ? JUDGE_BUSY
-           : d->quick && (c->full || turn == JUDGE_OPEN) ? JUDGE_QUICK
-                                                         : turn;
+    return c->timed && is_busy(d)                          ? VERDICT_BUSY
+           : d->quick && (c->full || turn == VERDICT_OPEN) ? VERDICT_QUICK
+                                                           : turn;
 }
 
 enum { READING, HERE, TURNS, OURS, TEXTS };
 
 /* Judges and writes into the four streams. */
 static enum status judge_all(const struct claim *c, const struct study_results *d,
-                             FILE *const file[TEXTS], enum judge *turn)
+                             FILE *const file[TEXTS], enum verdict *turn)
 {
     const struct claim_reading *r = c->readings;
     enum status st = STATUS_OK;
@@ -177,9 +177,9 @@ enum status claim_judge(const struct claim *c, const struct study_results *d,
             st = STATUS_MEMORY;
     if (st == STATUS_OK)
         st = judge_all(c, d, file, &told->turn);
-    const bool open = told->turn == JUDGE_OPEN;
+    const bool open = told->turn == VERDICT_OPEN;
     told->turn = allowed(c, d, told->turn);
-    if (st == STATUS_OK && told->turn == JUDGE_QUICK && open)
+    if (st == STATUS_OK && told->turn == VERDICT_QUICK && open)
         rewind(file[HERE]), fputs("A quick run leaves out what decides this.", file[HERE]);
     for (int n = 0; n < TEXTS; n++)
         if (file[n] && fclose(file[n]) != 0)

@@ -28,7 +28,7 @@ struct claim {
     bool full; /* a quick run, which simulates less, cannot judge it               */
     /* Judges it, and writes the sentences with the numbers that decide it; NULL: by
        `statement`. */
-    enum judge (*judge)(const struct study_results *d, FILE *because);
+    enum verdict (*judge)(const struct study_results *d, FILE *because);
     bool timed;                           /* seconds decide it                        */
     const struct claim_reading *readings; /* the first is primary; NULL: nothing is open */
     const char *reason; /* why it is primary, from the paper's text; NULL: not needed     */
@@ -37,13 +37,13 @@ struct claim {
 
 /* Defines the judge of a claim that is one expression of `d` and `because`. */
 #define CLAIM_JUDGE(name, ...)                                                             \
-    static enum judge name(const struct study_results *d, FILE *because)                   \
+    static enum verdict name(const struct study_results *d, FILE *because)                 \
     {                                                                                      \
         return __VA_ARGS__;                                                                \
     }
 
-/* Judges a claim by its primary reading. JUDGE_BUSY: seconds decide it, and some of the
- * plan's were taken on a busy machine. JUDGE_QUICK: the results are of a quick run, which
+/* Judges a claim by its primary reading. VERDICT_BUSY: seconds decide it, and some of the
+ * plan's were taken on a busy machine. VERDICT_QUICK: the results are of a quick run, which
  * does not settle it. What is told borrows from the claim; its other sentences are freed by
  * claim_forget, which accepts all-zero. STATUS_MEMORY: nothing is told. */
 enum status claim_judge(const struct claim *c, const struct study_results *d,

@@ -23,10 +23,10 @@ static double saved(const struct study_results *d, enum quantity q)
                          WHERE({"contact", "surface"}, {"net", "15"}));
 }
 
-static enum judge net_saves(const struct study_results *d, FILE *because)
+static enum verdict net_saves(const struct study_results *d, FILE *because)
 {
     const double time = saved(d, QUANTITY_FRAME), tested = saved(d, QUANTITY_TESTED);
-    const enum judge turn = judge_below(time, 1), counted = judge_below(tested, 1);
+    const enum verdict turn = judge_below(time, 1), counted = judge_below(tested, 1);
 
     fprintf(
         because,
@@ -37,7 +37,7 @@ static enum judge net_saves(const struct study_results *d, FILE *because)
 }
 
 /* A surface is in a body when the body is past the middle of the sheet. */
-static enum judge net_suffices(const struct study_results *d, FILE *because)
+static enum verdict net_suffices(const struct study_results *d, FILE *because)
 {
     const double half = scene_of(d, "ground")->thickness / 2;
     const double net = dataset_all_most(d, QUANTITY_PENETRATION,

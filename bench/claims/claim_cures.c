@@ -18,10 +18,10 @@ static double worst(const struct study_results *d, const char *study, const char
 }
 
 /* Judges all cures in the studies, and writes what a coarser net of the truth moves. */
-static enum judge within(const struct study_results *d, int count,
-                         const char *const *studies, FILE *because)
+static enum verdict within(const struct study_results *d, int count,
+                           const char *const *studies, FILE *because)
 {
-    enum judge turn = JUDGE_HOLDS;
+    enum verdict turn = VERDICT_HOLDS;
 
     fputs("Off by, at most:", because);
     for (int c = 0; c < CURES; c++) {
@@ -46,7 +46,7 @@ CLAIM_JUDGE(thick_within,
 
 /* Judges whether most of the error comes from the clamp, which, where nu is large, keeps a
  * solid from changing its thickness. */
-static enum judge clamp_is_why(const struct study_results *d, FILE *because)
+static enum verdict clamp_is_why(const struct study_results *d, FILE *because)
 {
     double off[2];
 
@@ -78,7 +78,7 @@ static double growth(const struct study_results *d, const char *space, FILE *bec
     return off[1] / off[0];
 }
 
-static enum judge is_resolution(const struct study_results *d, FILE *because)
+static enum verdict is_resolution(const struct study_results *d, FILE *because)
 {
     double most = 0;
 
@@ -96,7 +96,7 @@ static enum judge is_resolution(const struct study_results *d, FILE *because)
 }
 
 /* A tenth more lies within the scatter of repeats. */
-static enum judge costs_no_more(const struct study_results *d, FILE *because)
+static enum verdict costs_no_more(const struct study_results *d, FILE *because)
 {
     double most = 0;
 

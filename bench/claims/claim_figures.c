@@ -37,7 +37,7 @@ static void tell_level(const struct study_results *d, FILE *because)
 
 /* A judge by one comparison of a level's numbers. */
 #define WORD(name, ...)                                                                    \
-    static enum judge name(const struct study_results *d, FILE *because)                   \
+    static enum verdict name(const struct study_results *d, FILE *because)                 \
     {                                                                                      \
         tell_level(d, because);                                                            \
         return judge_below(__VA_ARGS__);                                                   \
@@ -49,7 +49,7 @@ WORD(is_rough, ROUGH *most_of(d, PLATE, QUANTITY_ROUGHNESS),
      most_of(d, NULL, QUANTITY_ROUGHNESS))
 
 /* The least rough of the others is more than ROUGH times as rough. */
-static enum judge is_smooth(const struct study_results *d, FILE *because)
+static enum verdict is_smooth(const struct study_results *d, FILE *because)
 {
     const double springs = most_of(d, "mass-spring, paper's", QUANTITY_ROUGHNESS);
     const double projective =
@@ -62,7 +62,7 @@ static enum judge is_smooth(const struct study_results *d, FILE *because)
     return judge_below(own * ROUGH, fmin(springs, projective));
 }
 
-static enum judge stretches_less(const struct study_results *d, FILE *because)
+static enum verdict stretches_less(const struct study_results *d, FILE *because)
 {
     const double springs = most_of(d, "mass-spring, paper's", QUANTITY_STRETCH);
     const double own = most_of(d, NULL, QUANTITY_STRETCH);
@@ -120,7 +120,7 @@ const struct claim claim_fig6[] = {
 /* The share of its largest deflection below which a sheet has returned. */
 static const double RETURNED = 0.05;
 
-static enum judge some_stays(const struct study_results *d, FILE *because)
+static enum verdict some_stays(const struct study_results *d, FILE *because)
 {
     double depth[PLAN_STUDY_TIMES], most = 0;
     const int times =
@@ -173,7 +173,7 @@ static void swing_of(const struct study_results *d, const char *study, double *m
     *most = times ? angle[top] : NAN;
 }
 
-static enum judge swings(const struct study_results *d, const char *study, FILE *because)
+static enum verdict swings(const struct study_results *d, const char *study, FILE *because)
 {
     double most, after;
 
@@ -187,12 +187,13 @@ static enum judge swings(const struct study_results *d, const char *study, FILE 
 }
 
 /* Judges whether the sheet is rougher at each later time than at the first. */
-static enum judge wrinkles(const struct study_results *d, const char *study, FILE *because)
+static enum verdict wrinkles(const struct study_results *d, const char *study,
+                             FILE *because)
 {
     const struct where *rows = WHERE({"study", study}, {"at", "*"});
     double rough[PLAN_STUDY_TIMES];
     const int times = dataset_values(d, QUANTITY_ROUGHNESS, rows, PLAN_STUDY_TIMES, rough);
-    enum judge turn = times > 1 ? JUDGE_HOLDS : JUDGE_OPEN;
+    enum verdict turn = times > 1 ? VERDICT_HOLDS : VERDICT_OPEN;
 
     for (int t = 1; t < times; t++)
         turn = judge_both(turn, judge_below(rough[0], rough[t]));
@@ -229,7 +230,7 @@ const struct claim claim_drops[] = {
 #define SOLID   WHERE({"level", "nonlinear solid, selective"})
 #define SHELL   WHERE({"level", "nonlinear shell"})
 
-static enum judge fall_is_flow(const struct study_results *d, FILE *because)
+static enum verdict fall_is_flow(const struct study_results *d, FILE *because)
 {
     const double printed = dataset_at(d, QUANTITY_ANGLE, PRINTED);
     const double elastic = judge_most(dataset_at(d, QUANTITY_ANGLE, SOLID),
@@ -246,7 +247,7 @@ static enum judge fall_is_flow(const struct study_results *d, FILE *because)
     return judge_below(2 * elastic, printed);
 }
 
-static enum judge net_decides(const struct study_results *d, FILE *because)
+static enum verdict net_decides(const struct study_results *d, FILE *because)
 {
     const double fine = dataset_at(d, QUANTITY_STRETCH, PRINTED);
     const double coarse =
@@ -264,7 +265,7 @@ static double roughest(const struct study_results *d, const char *level)
     return dataset_all_most(d, QUANTITY_ROUGHNESS, WHERE({"level", level}, {"at", "*"}));
 }
 
-static enum judge nets_crumple(const struct study_results *d, FILE *because)
+static enum verdict nets_crumple(const struct study_results *d, FILE *because)
 {
     const double smooth = judge_most(roughest(d, "nonlinear solid, selective"),
                                      roughest(d, "nonlinear shell"));
@@ -292,8 +293,8 @@ const struct claim claim_flag[] = {
  */
 
 /* Judges whether the rules of Table 4 give the row the label; NULL: none at all. */
-static enum judge shows(const struct study_results *d, const char *label,
-                        const struct where *row, FILE *because)
+static enum verdict shows(const struct study_results *d, const char *label,
+                          const struct where *row, FILE *because)
 {
     const double crosses = dataset_at(d, QUANTITY_INTERSECTION_TIME, row);
 
@@ -335,7 +336,7 @@ const struct claim claim_artefacts[] = {
 /* Judges whether the sheet has come to rest. There it is slower than what gravity gives in
  * a step: the scheme has no other speed for what it puts back on the ground in each step.
  */
-static enum judge comes_to_rest(const struct study_results *d, FILE *because)
+static enum verdict comes_to_rest(const struct study_results *d, FILE *because)
 {
     const struct scene *s = &d->study[0].row[0].result.scene;
     const double least =
@@ -352,16 +353,16 @@ static enum judge comes_to_rest(const struct study_results *d, FILE *because)
     return judge_below(speed, least);
 }
 
-static enum judge avoids_itself(const struct study_results *d, FILE *because)
+static enum verdict avoids_itself(const struct study_results *d, FILE *because)
 {
     const double first = dataset_least(d, QUANTITY_INTERSECTION_TIME, WHERE({NULL, NULL}));
 
     if (isnan(first)) {
         fputs("No sheet passes through itself.", because);
-        return JUDGE_HOLDS;
+        return VERDICT_HOLDS;
     }
     fprintf(because, "The first sheet passes through itself at %.3g s.", first);
-    return JUDGE_FAILS;
+    return VERDICT_FAILS;
 }
 
 const struct claim claim_contact[] = {

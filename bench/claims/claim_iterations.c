@@ -17,7 +17,7 @@ static double softened(const struct study_results *d, const char *contestant,
                                {"substeps", "1"}, {"iterations", "64"}));
 }
 
-static enum judge few_soften(const struct study_results *d, FILE *because)
+static enum verdict few_soften(const struct study_results *d, FILE *because)
 {
     const double vbd = softened(d, "VBD", "4"), xpbd = softened(d, "XPBD", "4");
 
@@ -25,7 +25,7 @@ static enum judge few_soften(const struct study_results *d, FILE *because)
     return judge_both(judge_below(vbd, SOFT), judge_below(xpbd, SOFT));
 }
 
-static enum judge projective_does_not(const struct study_results *d, FILE *because)
+static enum verdict projective_does_not(const struct study_results *d, FILE *because)
 {
     const double kept = softened(d, "PD", "4");
 
@@ -42,10 +42,10 @@ static double error(const struct study_results *d, const char *contestant,
                             {"iterations", iterations}));
 }
 
-static enum judge substeps_pay(const struct study_results *d, FILE *because)
+static enum verdict substeps_pay(const struct study_results *d, FILE *because)
 {
     static const char *const all[] = {"VBD", "XPBD", "PD", "ADMM"};
-    enum judge turn = JUDGE_HOLDS;
+    enum verdict turn = VERDICT_HOLDS;
 
     for (int n = 0; n < 4; n++) {
         const double steps = error(d, all[n], "16", "4"), one = error(d, all[n], "1", "64");
@@ -57,7 +57,7 @@ static enum judge substeps_pay(const struct study_results *d, FILE *because)
     return turn;
 }
 
-static enum judge energy_is_won(const struct study_results *d, FILE *because)
+static enum verdict energy_is_won(const struct study_results *d, FILE *because)
 {
     const double most =
         dataset_all_most(d, QUANTITY_LOSS,

@@ -21,11 +21,11 @@ static double step_takes(const struct study_results *d, const char *study, const
 }
 
 /* Judges whether the first number is below the second in both scenes. */
-static enum judge in_both(const double value[2], const double bound[2], const char *words,
-                          FILE *because)
+static enum verdict in_both(const double value[2], const double bound[2], const char *words,
+                            FILE *because)
 {
     static const char *const scenes[] = {"edge_drop", "corners_patch"};
-    enum judge turn = JUDGE_HOLDS;
+    enum verdict turn = VERDICT_HOLDS;
 
     for (int n = 0; n < 2; n++) {
         turn = judge_both(turn, judge_below(value[n], bound[n]));

@@ -27,7 +27,7 @@ static double through(const struct study_results *d, const char *space)
                       WHERE({"space", space}, {"poisson", "0.3"}, {"thickness", "1 mm"}));
 }
 
-static enum judge degree_through(const struct study_results *d, FILE *because)
+static enum verdict degree_through(const struct study_results *d, FILE *because)
 {
     const double more = tip(d, "IGA (3,3,2) 10x10x3", "0.3", "1 mm") /
                             tip(d, "IGA (3,3,1) 10x10x2", "0.3", "1 mm") -
@@ -40,7 +40,7 @@ static enum judge degree_through(const struct study_results *d, FILE *because)
     return judge_below(fabs(more), 0.05);
 }
 
-static enum judge thinner_locks(const struct study_results *d, FILE *because)
+static enum verdict thinner_locks(const struct study_results *d, FILE *because)
 {
     static const char *const space = "IGA (2,2,1) 10x10x2";
     const char *thickness[MOST];
@@ -60,7 +60,7 @@ static enum judge thinner_locks(const struct study_results *d, FILE *because)
     return judge_order(count, tips, 1, 0);
 }
 
-static enum judge degree_in_plane(const struct study_results *d, FILE *because)
+static enum verdict degree_in_plane(const struct study_results *d, FILE *because)
 {
     fprintf(because,
             "At h = 1 mm the tip at nu = 0.3 over that at nu = 0 is %.3f for degree "
@@ -70,7 +70,7 @@ static enum judge degree_in_plane(const struct study_results *d, FILE *because)
     return judge_below(through(d, "IGA (4,4,1) 10x10x2"), CURED);
 }
 
-static enum judge thickness_cured(const struct study_results *d, FILE *because)
+static enum verdict thickness_cured(const struct study_results *d, FILE *because)
 {
     fprintf(because, "That quotient is %.3f for degree (3,3,2), %.3f with the modes.",
             through(d, "IGA (3,3,2) 10x10x3"), through(d, "hex 10x10x2 incompatible"));

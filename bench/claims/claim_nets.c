@@ -11,9 +11,9 @@ enum { LEVELS = 4, TIMES = 3 };
 enum { START, REFINED, ELEVATED, BOTH };
 
 /* Judges the levels of the reading's sheet by one quantity, and writes its values. */
-static enum judge judge_sheet(const struct study_results *d, enum quantity q,
-                              enum judge (*judge)(int count, const double *value),
-                              FILE *because)
+static enum verdict judge_sheet(const struct study_results *d, enum quantity q,
+                                enum verdict (*judge)(int count, const double *value),
+                                FILE *because)
 {
     const struct where *sheet = WHERE({NULL, NULL});
     double value[LEVELS];
@@ -32,26 +32,26 @@ static enum judge judge_sheet(const struct study_results *d, enum quantity q,
     return judge(count, value);
 }
 
-static enum judge grows(int count, const double *value)
+static enum verdict grows(int count, const double *value)
 {
     return judge_order(count, value, 1, 0);
 }
 
-static enum judge shrinks(int count, const double *value)
+static enum verdict shrinks(int count, const double *value)
 {
     return judge_order(count, value, -1, 0);
 }
 
-static enum judge both_add(int count, const double *value)
+static enum verdict both_add(int count, const double *value)
 {
-    return count < LEVELS ? JUDGE_OPEN
+    return count < LEVELS ? VERDICT_OPEN
                           : judge_both(judge_below(value[START], value[REFINED]),
                                        judge_below(value[START], value[ELEVATED]));
 }
 
-static enum judge elevated_less(int count, const double *value)
+static enum verdict elevated_less(int count, const double *value)
 {
-    return count < LEVELS ? JUDGE_OPEN
+    return count < LEVELS ? VERDICT_OPEN
                           : judge_both(judge_below(value[ELEVATED], value[START]),
                                        judge_below(value[BOTH], value[REFINED]));
 }
@@ -77,7 +77,7 @@ static double write_errors(const struct study_results *d, FILE *because)
     return 2 * bar;
 }
 
-static enum judge errors_fall(const struct study_results *d, FILE *because)
+static enum verdict errors_fall(const struct study_results *d, FILE *because)
 {
     double error[LEVELS];
     const int count =
@@ -86,7 +86,7 @@ static enum judge errors_fall(const struct study_results *d, FILE *because)
     return judge_order(count, error, -1, write_errors(d, because));
 }
 
-static enum judge both_raise_accuracy(const struct study_results *d, FILE *because)
+static enum verdict both_raise_accuracy(const struct study_results *d, FILE *because)
 {
     const double bar = write_errors(d, because);
     double error[LEVELS] = {NAN, NAN, NAN, NAN};
@@ -112,8 +112,8 @@ static double orders_apart(const struct study_results *d, const char *first,
     return most;
 }
 
-static enum judge orders_agree(const struct study_results *d, const char *first,
-                               const char *last, FILE *because)
+static enum verdict orders_agree(const struct study_results *d, const char *first,
+                                 const char *last, FILE *because)
 {
     const double apart = orders_apart(d, first, last);
 
@@ -124,7 +124,7 @@ static enum judge orders_agree(const struct study_results *d, const char *first,
 }
 
 /* Judges by the orders that the reading's study has. */
-static enum judge order_is_free(const struct study_results *d, FILE *because)
+static enum verdict order_is_free(const struct study_results *d, FILE *because)
 {
     static const char *const levels[][2] = {
         {"denser, then higher", "higher, then denser"},

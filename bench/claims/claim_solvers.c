@@ -11,13 +11,13 @@ static const double SAME = 1e-5;
 
 /* Judges whether the cheapest iterative solver is cheaper than the direct one on every net.
  */
-static enum judge iterations_pay(const struct study_results *d, const char *study,
-                                 FILE *because)
+static enum verdict iterations_pay(const struct study_results *d, const char *study,
+                                   FILE *because)
 {
     const char *net[NETS], *solver[METHODS];
     const int nets = dataset_labels(d, "net", NETS, net);
     const int solvers = dataset_labels(d, "solver", METHODS, solver);
-    enum judge turn = nets ? JUDGE_HOLDS : JUDGE_OPEN;
+    enum verdict turn = nets ? VERDICT_HOLDS : VERDICT_OPEN;
 
     for (int n = 0; n < nets; n++) {
         double best = NAN;
@@ -40,7 +40,7 @@ static enum judge iterations_pay(const struct study_results *d, const char *stud
 CLAIM_JUDGE(printed_iterations_pay, iterations_pay(d, "printed", because))
 CLAIM_JUDGE(nonlinear_iterations_pay, iterations_pay(d, "nonlinear", because))
 
-static enum judge keeping_pays(const struct study_results *d, FILE *because)
+static enum verdict keeping_pays(const struct study_results *d, FILE *because)
 {
     const double least = dataset_least(d, QUANTITY_OF_REFERENCE,
                                        WHERE({"solver", "direct, every tangent new"}));
@@ -54,7 +54,7 @@ static enum judge keeping_pays(const struct study_results *d, FILE *because)
  * so little of the aim is left for the rest: solving with an earlier factor reads
  * unknowns^1.5 numbers, and takes more iterations on larger nets; a new factor costs
  * unknowns^1.9. */
-static enum judge growth_is_small(const struct study_results *d, FILE *because)
+static enum verdict growth_is_small(const struct study_results *d, FILE *because)
 {
     static const double AIM = 1.25;
     static const char *const solvers[] = {"direct", "CG, last factor"};
@@ -72,7 +72,7 @@ static enum judge growth_is_small(const struct study_results *d, FILE *because)
     return judge_below(growth[1], AIM);
 }
 
-static enum judge motion_is_one(const struct study_results *d, FILE *because)
+static enum verdict motion_is_one(const struct study_results *d, FILE *because)
 {
     const double most = dataset_most(d, QUANTITY_APART, WHERE({NULL, NULL}));
 
@@ -102,7 +102,7 @@ static const double SUFFICES = 0.5;
 
 /* Returns the least time on a net over the direct solver's, of solvers whose label begins
  * with a word; writes them. */
-static enum judge best_of(const struct study_results *d, const char *net, FILE *because)
+static enum verdict best_of(const struct study_results *d, const char *net, FILE *because)
 {
     const char *solver[METHODS], *name = "none";
     const int solvers = dataset_labels(d, "solver", METHODS, solver);
@@ -122,11 +122,11 @@ static enum judge best_of(const struct study_results *d, const char *net, FILE *
     return judge_below(SUFFICES, best);
 }
 
-static enum judge direct_suffices(const struct study_results *d, FILE *because)
+static enum verdict direct_suffices(const struct study_results *d, FILE *because)
 {
     const char *net[NETS];
     const int nets = dataset_labels(d, "net", NETS, net);
-    enum judge turn = nets ? JUDGE_HOLDS : JUDGE_OPEN;
+    enum verdict turn = nets ? VERDICT_HOLDS : VERDICT_OPEN;
 
     fputs("The best of those that it names, ", because);
     for (int n = 0; n < nets; n++) {

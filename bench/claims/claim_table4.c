@@ -43,10 +43,10 @@ static int ours_at(const struct study_results *d, const struct where *row)
     int bits = 0;
 
     for (int n = 0; n < ANSWERS; n++) {
-        const enum judge is = dataset_verdict(d, n ? name_of(n) : NULL, row);
-        if (is == JUDGE_OPEN)
+        const enum verdict is = dataset_verdict(d, n ? name_of(n) : NULL, row);
+        if (is == VERDICT_OPEN)
             return -1;
-        bits |= (is == JUDGE_HOLDS) << n;
+        bits |= (is == VERDICT_HOLDS) << n;
     }
     return bits;
 }
@@ -218,17 +218,17 @@ static bool has_verdicts(const struct study_results *d, FILE *because)
     return !d->quick;
 }
 
-static enum judge of_all(int agree, int judged)
+static enum verdict of_all(int agree, int judged)
 {
-    return judged < ROWS ? JUDGE_OPEN : agree == ROWS ? JUDGE_HOLDS : JUDGE_FAILS;
+    return judged < ROWS ? VERDICT_OPEN : agree == ROWS ? VERDICT_HOLDS : VERDICT_FAILS;
 }
 
-static enum judge two_are_feasible(const struct study_results *d, FILE *because)
+static enum verdict two_are_feasible(const struct study_results *d, FILE *because)
 {
     const struct count c = count_here(d, 0);
 
     if (!has_verdicts(d, because))
-        return JUDGE_OPEN;
+        return VERDICT_OPEN;
     fprintf(
         because,
         "%d of 18 rows are yes or no as in the paper; `no` to every row is right in %d, "
@@ -237,12 +237,12 @@ static enum judge two_are_feasible(const struct study_results *d, FILE *because)
     return of_all(c.agree, c.judged);
 }
 
-static enum judge words_are_the_same(const struct study_results *d, FILE *because)
+static enum verdict words_are_the_same(const struct study_results *d, FILE *because)
 {
     const struct count c = count_here(d, 0);
 
     if (!has_verdicts(d, because))
-        return JUDGE_OPEN;
+        return VERDICT_OPEN;
     fprintf(because, "%d of 18 rows have the paper's words.", c.same);
     return of_all(c.same, c.judged);
 }
@@ -289,29 +289,29 @@ static struct switches switches(const int answers[ROWS], int which, int sign, in
 
 /* Judges a rule: as the parameter goes up or down and all else stays, the label appears in
  * some rows and disappears in none. The paper's own rows are told beside. */
-static enum judge rule(const struct study_results *d, int which, int sign,
-                       enum paper_label label, FILE *because)
+static enum verdict rule(const struct study_results *d, int which, int sign,
+                         enum paper_label label, FILE *because)
 {
     const int bit = (int)label + 1;
     int here[ROWS], paper[ROWS];
     bool judged = true;
 
     if (!has_verdicts(d, because))
-        return JUDGE_OPEN;
+        return VERDICT_OPEN;
     for (int row = 0; row < ROWS; row++) {
         here[row] = ours_at(d, HERE(row));
         paper[row] = papers(row);
         judged &= here[row] >= 0;
     }
     if (!judged)
-        return JUDGE_OPEN;
+        return VERDICT_OPEN;
     const struct switches s = switches(here, which, sign, bit),
                           p = switches(paper, which, sign, bit);
     fprintf(because,
             "Between rows that differ in this alone the label appears %d times and "
             "disappears %d times; in the paper's own words %d and %d times.",
             s.on, s.off, p.on, p.off);
-    return s.on && !s.off ? JUDGE_HOLDS : JUDGE_FAILS;
+    return s.on && !s.off ? VERDICT_HOLDS : VERDICT_FAILS;
 }
 
 CLAIM_JUDGE(soft_stretches, rule(d, YOUNG, -1, PAPER_OVER_STRETCHED, because))
@@ -320,7 +320,7 @@ CLAIM_JUDGE(heavy_penetrates, rule(d, DENSITY, 1, PAPER_PENETRATION, because))
 CLAIM_JUDGE(damped_penetrates, rule(d, DAMPING, 1, PAPER_PENETRATION, because))
 
 /* Rows 14 and 15 have a dash in place of a description. */
-static enum judge dash_is_failure(const struct study_results *d, FILE *because)
+static enum verdict dash_is_failure(const struct study_results *d, FILE *because)
 {
     double died = INFINITY;
     int missing = 0;
@@ -334,20 +334,20 @@ static enum judge dash_is_failure(const struct study_results *d, FILE *because)
         fprintf(because, "The first of them dies at %.3g s.", died);
     else
         fputs("Both live to their end; the same table calls them feasible.", because);
-    return missing ? JUDGE_OPEN : isfinite(died) ? JUDGE_HOLDS : JUDGE_FAILS;
+    return missing ? VERDICT_OPEN : isfinite(died) ? VERDICT_HOLDS : VERDICT_FAILS;
 }
 
 /* Returns whether a label is physics: elastic models of the same sheet give it to the rows
  * that the paper gives it to, better than one answer to all rows would. */
-static enum judge physics(const struct study_results *d, enum paper_label label,
-                          FILE *because)
+static enum verdict physics(const struct study_results *d, enum paper_label label,
+                            FILE *because)
 {
     static const char *const reading[] = {SOLID, SHELL};
     const int answer = (int)label + 1;
-    enum judge turn = JUDGE_HOLDS;
+    enum verdict turn = VERDICT_HOLDS;
 
     if (!has_verdicts(d, because))
-        return JUDGE_OPEN;
+        return VERDICT_OPEN;
     fputs("On edge_drop", because);
     for (int n = 0; n < 2; n++) {
         const struct count c = count(d, reading[n], DROP, answer);
@@ -356,13 +356,13 @@ static enum judge physics(const struct study_results *d, enum paper_label label,
                 "%s the %s calls %d of 18 rows so, %d of them and of the others as "
                 "the paper does, and one answer to all %d",
                 n ? ";" : "", reading[n], c.called, c.agree, one);
-        turn = judge_both(turn, c.judged < ROWS ? JUDGE_OPEN : judge_below(one, c.agree));
+        turn = judge_both(turn, c.judged < ROWS ? VERDICT_OPEN : judge_below(one, c.agree));
     }
     fputs(".", because);
     return turn;
 }
 
-static enum judge stretch_is_physics(const struct study_results *d, FILE *because)
+static enum verdict stretch_is_physics(const struct study_results *d, FILE *because)
 {
     fprintf(because,
             "A strip that hangs by its end stretches by %.2g at most in these rows, the "
@@ -377,7 +377,7 @@ CLAIM_JUDGE(lightness_is_physics, physics(d, PAPER_TOO_LIGHT, because))
 CLAIM_JUDGE(chaos_is_physics, physics(d, PAPER_CHAOTIC, because))
 CLAIM_JUDGE(wrinkles_are_physics, physics(d, PAPER_FINE_WRINKLES, because))
 
-static enum judge one_parameter(const struct study_results *d, FILE *because)
+static enum verdict one_parameter(const struct study_results *d, FILE *because)
 {
     static const char *const row[] = {"4", "7", "14"};
     double most = 0;
@@ -392,15 +392,15 @@ static enum judge one_parameter(const struct study_results *d, FILE *because)
             "four times the E and four times the rho rows 4, 7 and 14 are %.2g L away from "
             "where they were at %.2g s, at most.",
             most, dataset_most(d, QUANTITY_END_TIME, WHERE({"reading", PRINTED})));
-    return isnan(most) ? JUDGE_OPEN : most == 0 ? JUDGE_HOLDS : JUDGE_FAILS;
+    return isnan(most) ? VERDICT_OPEN : most == 0 ? VERDICT_HOLDS : VERDICT_FAILS;
 }
 
-static enum judge crossings_tell(const struct study_results *d, FILE *because)
+static enum verdict crossings_tell(const struct study_results *d, FILE *because)
 {
     int most = 0, judged = 0, no = 0;
 
     if (!has_verdicts(d, because))
-        return JUDGE_OPEN;
+        return VERDICT_OPEN;
     fputs("The printed sheet passes through itself in", because);
     for (int s = 0; s < SCENES; s++) {
         const struct count c = count(d, PRINTED, s, PAPER_PENETRATION + 1);
@@ -418,17 +418,17 @@ static enum judge crossings_tell(const struct study_results *d, FILE *because)
     fprintf(because,
             ", as the paper has it in %d rows at best; `no` to all is right in %d.", most,
             no);
-    return judged < SCENES * ROWS ? JUDGE_OPEN : judge_below(no, most);
+    return judged < SCENES * ROWS ? VERDICT_OPEN : judge_below(no, most);
 }
 
 /* Judges by the label, which other rows may have, too. */
-static enum judge row_7_is_chaos(const struct study_results *d, FILE *because)
+static enum verdict row_7_is_chaos(const struct study_results *d, FILE *because)
 {
     const int bit = PAPER_CHAOTIC + 1;
     int others = 0, row_7 = 0, judged = 0;
 
     if (!has_verdicts(d, because))
-        return JUDGE_OPEN;
+        return VERDICT_OPEN;
     for (int row = 0; row < ROWS; row++) {
         const int we = ours_at(d, HERE(row));
         const bool so = we >= 0 && we >> bit & 1;
@@ -446,11 +446,11 @@ static enum judge row_7_is_chaos(const struct study_results *d, FILE *because)
         fputs("row 7 lives to its end.", because);
     else
         fprintf(because, "row 7 blows up at %.3g s.", died);
-    return judged < ROWS ? JUDGE_OPEN : row_7 && !others ? JUDGE_HOLDS : JUDGE_FAILS;
+    return judged < ROWS ? VERDICT_OPEN : row_7 && !others ? VERDICT_HOLDS : VERDICT_FAILS;
 }
 
 /* Row 4 is the softest and heaviest sheet. */
-static enum judge it_flows(const struct study_results *d, FILE *because)
+static enum verdict it_flows(const struct study_results *d, FILE *because)
 {
     const struct where *rows = WHERE({"reading", PRINTED}, {"scene", "flag"});
     const double shell = dataset_at(d, QUANTITY_ANGLE_MAX, AT(SHELL, FLAG, 3));

@@ -18,11 +18,11 @@ enum { NETS = 12 };
 
 /* Judges whether the paper's net is the first that is so near, at all times of the reading.
  */
-static enum judge criterion(const struct study_results *d, FILE *because)
+static enum verdict criterion(const struct study_results *d, FILE *because)
 {
     const char *net[NETS], *first = NULL;
     const int nets = dataset_labels(d, "net", NETS, net);
-    enum judge turn = JUDGE_OPEN;
+    enum verdict turn = VERDICT_OPEN;
 
     fputs("Largest RMSE over L:", because);
     for (int n = 0; n < nets; n++) {
@@ -34,13 +34,13 @@ static enum judge criterion(const struct study_results *d, FILE *because)
             first = net[n];
     }
     if (!isnan(dataset_all_most(d, QUANTITY_APART, FEM)))
-        turn = first && !strcmp(first, PAPER_TABLE1_NET) ? JUDGE_HOLDS : JUDGE_FAILS;
+        turn = first && !strcmp(first, PAPER_TABLE1_NET) ? VERDICT_HOLDS : VERDICT_FAILS;
     fprintf(because, "; the first net within 0.04: %s.", first ? first : "none");
     return turn;
 }
 
 /* Compares with the cheapest hexahedra that are as near to the plate at rest as IGA. */
-static enum judge equal_error(const struct study_results *d, FILE *because)
+static enum verdict equal_error(const struct study_results *d, FILE *because)
 {
     const double iga = dataset_at(d, QUANTITY_OFF, AT_REST("iga", "10x10x2"));
     const char *net[NETS], *cheapest = "none";
@@ -64,7 +64,7 @@ static enum judge equal_error(const struct study_results *d, FILE *because)
 }
 
 /* Judges whether a shell is as near to the plate as the paper takes for one look. */
-static enum judge is_similar(const struct study_results *d, FILE *because)
+static enum verdict is_similar(const struct study_results *d, FILE *because)
 {
     const double apart = dataset_all_most(d, QUANTITY_APART, WHERE({"net", "10x10"}));
 
@@ -73,7 +73,7 @@ static enum judge is_similar(const struct study_results *d, FILE *because)
 }
 
 /* A result near that of a locked mesh is locked itself. */
-static enum judge both_right(const struct study_results *d, FILE *because)
+static enum verdict both_right(const struct study_results *d, FILE *because)
 {
     static const double RIGHT = 0.1;
     const double iga = dataset_at(d, QUANTITY_OFF, AT_REST("iga", "10x10x2"));
@@ -91,7 +91,7 @@ static enum judge both_right(const struct study_results *d, FILE *because)
     WHERE({"study", "printed"}, {"scene", "corners"}, {"model", "hex incompatible"},       \
           {"net", net_}, {"at", "0.4"})
 
-static enum judge cured_converge(const struct study_results *d, FILE *because)
+static enum verdict cured_converge(const struct study_results *d, FILE *because)
 {
     const double from = dataset_at(d, QUANTITY_APART, CURED("10x10x2"));
     const double to = dataset_at(d, QUANTITY_APART, CURED("40x40x2"));
@@ -145,7 +145,7 @@ static double growth(const struct study_results *d, enum quantity q)
                             WHERE({"study", "fig12*"}, {"kinematics", "printed"}));
 }
 
-static enum judge parts_grow(const struct study_results *d, FILE *because)
+static enum verdict parts_grow(const struct study_results *d, FILE *because)
 {
     const double frame = growth(d, QUANTITY_FRAME);
     const double assemble = growth(d, QUANTITY_ASSEMBLE);

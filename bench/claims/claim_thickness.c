@@ -17,7 +17,7 @@ static double swing(const struct study_results *d, const char *study, const char
                             : WHERE({"thickness", thickness}));
 }
 
-static enum judge thin_swings(const struct study_results *d, FILE *because)
+static enum verdict thin_swings(const struct study_results *d, FILE *because)
 {
     const double thin = swing(d, NULL, "1 mm"), thick = swing(d, NULL, "5 mm");
 
@@ -27,7 +27,7 @@ static enum judge thin_swings(const struct study_results *d, FILE *because)
 
 /* A sheet that only bends sinks at rest as 1/h^2, one that only stretches as far at any h.
  */
-static enum judge cloak_stretches(const struct study_results *d, FILE *because)
+static enum verdict cloak_stretches(const struct study_results *d, FILE *because)
 {
     const double thin = dataset_at(d, QUANTITY_EDGE_MOVED,
                                    WHERE({"study", "linear"}, {"thickness", "1 mm"}));
@@ -42,7 +42,7 @@ static enum judge cloak_stretches(const struct study_results *d, FILE *because)
     return judge_below(2 * thin / thick, 25);
 }
 
-static enum judge net_locks(const struct study_results *d, FILE *because)
+static enum verdict net_locks(const struct study_results *d, FILE *because)
 {
     const double thin = swing(d, "printed", "1 mm"), thick = swing(d, "printed", "5 mm");
     const double more = swing(d, "printed_better", "1 mm") - thin;
@@ -74,7 +74,7 @@ static double shell(const struct study_results *d, const char *thickness, const 
 }
 
 /* The difference of its nets is the error bar of each. */
-static enum judge thin_shell_swings(const struct study_results *d, FILE *because)
+static enum verdict thin_shell_swings(const struct study_results *d, FILE *because)
 {
     const double thin = shell(d, "1 mm", "fine"), thick = shell(d, "5 mm", "fine");
     const double apart = judge_most(fabs(thin - shell(d, "1 mm", "coarse")),
@@ -102,7 +102,7 @@ static double farthest(const struct study_results *d, const char *study)
                                   : WHERE({"level", "r = 1"}, {"at", "*"}));
 }
 
-static enum judge looks_alike(const struct study_results *d, FILE *because)
+static enum verdict looks_alike(const struct study_results *d, FILE *because)
 {
     static const double ALIKE = 0.04; /* m: what the paper's Table 1 takes for one look */
     const double apart = farthest(d, NULL);
@@ -114,7 +114,7 @@ static enum judge looks_alike(const struct study_results *d, FILE *because)
     return judge_below(apart, ALIKE);
 }
 
-static enum judge linear_is_cheaper(const struct study_results *d, FILE *because)
+static enum verdict linear_is_cheaper(const struct study_results *d, FILE *because)
 {
     const struct where *cloak = WHERE({"study", "cloak"});
     double ms[3];
@@ -129,7 +129,7 @@ static enum judge linear_is_cheaper(const struct study_results *d, FILE *because
 /* With a strain that cannot vary through the thickness, the sheet cannot narrow where it is
  * stretched and widen where it is pressed. A degree helps if it more than halves the
  * error. */
-static enum judge degree_helps(const struct study_results *d, FILE *because)
+static enum verdict degree_helps(const struct study_results *d, FILE *because)
 {
     double off[3] = {NAN, NAN, NAN};
 

@@ -29,7 +29,7 @@ static double at(const struct study_results *d, enum quantity q, const char *stu
 }
 
 /* A rate gives the same motion at every step, up to an error that falls with the step. */
-static enum judge scale_is_none(const struct study_results *d, FILE *because)
+static enum verdict scale_is_none(const struct study_results *d, FILE *because)
 {
     const double e = exponent(d, QUANTITY_DROP, "nonlinear_scale");
 
@@ -43,7 +43,7 @@ static enum judge scale_is_none(const struct study_results *d, FILE *because)
     return judge_below(SETTLES, fabs(e));
 }
 
-static enum judge step_is_free(const struct study_results *d, FILE *because)
+static enum verdict step_is_free(const struct study_results *d, FILE *because)
 {
     const struct where *all = WHERE({NULL, NULL});
     const double order = dataset_exponent(d, QUANTITY_SIZE, QUANTITY_NEXT, all);
@@ -56,7 +56,7 @@ static enum judge step_is_free(const struct study_results *d, FILE *because)
     return judge_below(SETTLES, order);
 }
 
-static enum judge is_stable(const struct study_results *d, FILE *because)
+static enum verdict is_stable(const struct study_results *d, FILE *because)
 {
     double death[STEPS];
     const int count = dataset_values(d, QUANTITY_DEATH, WHERE({NULL, NULL}), STEPS, death);
@@ -70,7 +70,7 @@ static enum judge is_stable(const struct study_results *d, FILE *because)
         dataset_write(d, QUANTITY_DEATH, WHERE({NULL, NULL}), because);
         fputs(" s.", because);
     }
-    return !count ? JUDGE_OPEN : dead ? JUDGE_FAILS : JUDGE_HOLDS;
+    return !count ? VERDICT_OPEN : dead ? VERDICT_FAILS : VERDICT_HOLDS;
 }
 
 /* Returns how far the free sheet is from theory at most: the printed one's acceleration,
@@ -118,7 +118,7 @@ static double creep_off(const struct study_results *d)
     return off;
 }
 
-static enum judge is_viscous(const struct study_results *d, FILE *because)
+static enum verdict is_viscous(const struct study_results *d, FILE *because)
 {
     static const double VISCOUS = 0.01; /* what theory may be missed by */
     const double fall = fall_off(d), creep = creep_off(d);
@@ -132,7 +132,7 @@ static enum judge is_viscous(const struct study_results *d, FILE *because)
 }
 
 /* Judges a rate by a limit's sign: a halving moves as far as all later ones together. */
-static enum judge rate_has_limit(const struct study_results *d, FILE *because)
+static enum verdict rate_has_limit(const struct study_results *d, FILE *because)
 {
     const double rate = exponent(d, QUANTITY_NEXT, "nonlinear_rate");
     const double mass = exponent(d, QUANTITY_NEXT, "nonlinear_mass");
@@ -149,7 +149,7 @@ static enum judge rate_has_limit(const struct study_results *d, FILE *because)
                       judge_below(apart, left));
 }
 
-static enum judge incremental_has_limit(const struct study_results *d, FILE *because)
+static enum verdict incremental_has_limit(const struct study_results *d, FILE *because)
 {
     const double order = exponent(d, QUANTITY_NEXT, "incremental_mass");
 

@@ -68,7 +68,7 @@ static void sort(struct statements *s)
 
 static void print_count(const struct statements *s, FILE *file)
 {
-    int of[JUDGES] = {0}, turning = 0;
+    int of[VERDICTS] = {0}, turning = 0;
 
     for (int n = 0; n < s->count; n++) {
         of[s->told[n].turn]++;
@@ -77,8 +77,8 @@ static void print_count(const struct statements *s, FILE *file)
     table_say(file,
               "\nOf the %d statements %d hold, %d do not, and %d were not judged. The "
               "verdict of %d turns on how the paper is read.",
-              s->count, of[JUDGE_HOLDS], of[JUDGE_FAILS],
-              s->count - of[JUDGE_HOLDS] - of[JUDGE_FAILS], turning);
+              s->count, of[VERDICT_HOLDS], of[VERDICT_FAILS],
+              s->count - of[VERDICT_HOLDS] - of[VERDICT_FAILS], turning);
 }
 
 enum status statements_print(struct statements *s, enum table_format format, FILE *file)

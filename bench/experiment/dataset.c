@@ -112,22 +112,22 @@ double dataset_at(const struct study_results *d, enum quantity q, const struct w
     return find(d, where, &p) ? quantity_at(&p, q) : NAN;
 }
 
-enum judge dataset_verdict(const struct study_results *d, const char *label,
-                           const struct where *where)
+enum verdict dataset_verdict(const struct study_results *d, const char *label,
+                             const struct where *where)
 {
-    const struct verdict_rules *rules = &d->plan->verdicts;
+    const struct rules *rules = &d->plan->verdicts;
     struct place p;
 
     if (!find(d, where, &p))
-        return JUDGE_OPEN;
-    const struct verdict v = verdict_of(rules, &p.s->row[p.level].result);
+        return VERDICT_OPEN;
+    const struct ruling v = rules_of(rules, &p.s->row[p.level].result);
     if (!label)
-        return v.kind == VERDICT_FEASIBLE     ? JUDGE_HOLDS
-               : v.kind == VERDICT_INFEASIBLE ? JUDGE_FAILS
-                                              : JUDGE_OPEN;
-    return verdict_has(rules, v, label)     ? JUDGE_HOLDS
-           : verdict_lacks(rules, v, label) ? JUDGE_OPEN
-                                            : JUDGE_FAILS;
+        return v.kind == VERDICT_FEASIBLE     ? VERDICT_HOLDS
+               : v.kind == VERDICT_INFEASIBLE ? VERDICT_FAILS
+                                              : VERDICT_OPEN;
+    return rules_has(rules, v, label)     ? VERDICT_HOLDS
+           : rules_lacks(rules, v, label) ? VERDICT_OPEN
+                                          : VERDICT_FAILS;
 }
 
 static double fold(const struct study_results *d, enum quantity q,
@@ -341,7 +341,7 @@ static bool is_seen(const struct view *v, enum quantity q)
 static void add_row(struct table *t, const struct view *v, enum part part,
                     const struct place *p)
 {
-    const struct verdict_rules *rules = &v->d->plan->verdicts;
+    const struct rules *rules = &v->d->plan->verdicts;
     const struct study_row *row = &p->s->row[p->level];
     const bool truth = p->level == p->s->plan->level_count;
     char words[256];
@@ -368,9 +368,8 @@ static void add_row(struct table *t, const struct view *v, enum part part,
     if (rules->count && part != PART_TIMES && truth)
         table_add(t, "-");
     else if (rules->count && part != PART_TIMES)
-        table_add(
-            t, "%s",
-            verdict_text(rules, verdict_of(rules, &row->result), words, sizeof words));
+        table_add(t, "%s",
+                  rules_text(rules, rules_of(rules, &row->result), words, sizeof words));
 }
 
 /* Returns whether people see a level. */
@@ -489,7 +488,7 @@ static void note_study(struct table *t, const struct view *v, const struct study
 /* Adds notes on columns, on verdicts and on each study. */
 static void add_notes(struct table *t, const struct view *v)
 {
-    const struct verdict_rules *rules = &v->d->plan->verdicts;
+    const struct rules *rules = &v->d->plan->verdicts;
     char text[2048] = "";
 
     for (int n = 0; n < v->columns; n++) {
@@ -501,7 +500,7 @@ static void add_notes(struct table *t, const struct view *v)
     if (v->d->plan->table.note)
         table_note(t, "%s", v->d->plan->table.note);
     for (int n = 0; n < rules->count; n++) {
-        const struct verdict_rule *r = &rules->rule[n];
+        const struct rule *r = &rules->rule[n];
         const char *unit = measure_unit(r->measure);
         const bool pure = !strcmp(unit, "1");
         table_note(t, "%s: %s %s %g%s%s; %s.", r->label, measure_name(r->measure),

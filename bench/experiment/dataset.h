@@ -27,8 +27,8 @@ double dataset_at(const struct study_results *d, enum quantity q,
 
 /* Judges whether the plan's rules give that row's run a label (verdict.h); NULL: whether
  * they call it feasible. Open: no such row, or nothing to judge by. */
-enum judge dataset_verdict(const struct study_results *d, const char *label,
-                           const struct where *where);
+enum verdict dataset_verdict(const struct study_results *d, const char *label,
+                             const struct where *where);
 
 /* Return the largest and the smallest value of all rows that the labels name and that have
  * one; NaN if there is none. The third returns the largest, and NaN if a row has none. */

@@ -9,63 +9,56 @@ double judge_most(double a, double b)
     return isnan(a) || isnan(b) ? NAN : fmax(a, b);
 }
 
-enum judge judge_order(int count, const double *value, int sign, double bar)
+enum verdict judge_order(int count, const double *value, int sign, double bar)
 {
-    enum judge turn = count > 1 ? JUDGE_HOLDS : JUDGE_OPEN;
+    enum verdict turn = count > 1 ? VERDICT_HOLDS : VERDICT_OPEN;
     double before = NAN;
 
     for (int n = 0; n < count; n++) {
         const double step = sign * (value[n] - before);
         if (step < -bar || (step <= 0 && bar == 0))
-            return JUDGE_FAILS;
+            return VERDICT_FAILS;
         if (isnan(value[n]) || (n > 0 && !(step > bar)))
-            turn = JUDGE_OPEN;
+            turn = VERDICT_OPEN;
         before = isnan(value[n]) ? before : value[n];
     }
     return turn;
 }
 
-enum judge judge_below(double value, double bound)
+enum verdict judge_below(double value, double bound)
 {
-    return isnan(value) || isnan(bound) ? JUDGE_OPEN
-           : value < bound              ? JUDGE_HOLDS
-                                        : JUDGE_FAILS;
+    return isnan(value) || isnan(bound) ? VERDICT_OPEN
+           : value < bound              ? VERDICT_HOLDS
+                                        : VERDICT_FAILS;
 }
 
-enum judge judge_ratio(double ours, double paper)
+enum verdict judge_ratio(double ours, double paper)
 {
     static const double ALIKE = 0.1, FACTOR = 2;
     const bool alike = fabs(paper - 1) <= ALIKE;
 
     if (!(ours > 0) || isnan(paper))
-        return JUDGE_OPEN;
+        return VERDICT_OPEN;
     return (alike || (ours > 1) == (paper > 1)) && ours <= FACTOR * paper &&
                    ours >= paper / FACTOR
-               ? JUDGE_HOLDS
-               : JUDGE_FAILS;
+               ? VERDICT_HOLDS
+               : VERDICT_FAILS;
 }
 
-enum judge judge_exponent(double ours, double paper)
+enum verdict judge_exponent(double ours, double paper)
 {
     static const double BAR = 0.25;
 
-    return isnan(ours) || isnan(paper) ? JUDGE_OPEN
-           : fabs(ours - paper) <= BAR ? JUDGE_HOLDS
-                                       : JUDGE_FAILS;
+    return isnan(ours) || isnan(paper) ? VERDICT_OPEN
+           : fabs(ours - paper) <= BAR ? VERDICT_HOLDS
+                                       : VERDICT_FAILS;
 }
 
-enum judge judge_both(enum judge a, enum judge b)
+enum verdict judge_both(enum verdict a, enum verdict b)
 {
-    return a == JUDGE_FAILS || b == JUDGE_FAILS ? JUDGE_FAILS : a == JUDGE_HOLDS ? b : a;
-}
-
-const char *judge_verdict(enum judge turn)
-{
-    static const char *const word[JUDGES] = {"does not hold", "holds", "cannot be judged",
-                                             "not judged: quick",
-                                             "not judged: the machine was busy"};
-
-    return word[turn];
+    return a == VERDICT_FAILS || b == VERDICT_FAILS ? VERDICT_FAILS
+           : a == VERDICT_HOLDS                     ? b
+                                                    : a;
 }
 
 struct table *judge_table(const char *caption)
@@ -85,7 +78,7 @@ void judge_add(struct table *rows, const struct judge_told *told)
     for (int n = 0; n < 7; n++)
         table_text(rows, "%s",
                    (const char *const[]){told->source, told->quote, told->reading,
-                                         judge_verdict(told->turn), told->here, told->turns,
+                                         verdict_word(told->turn), told->here, told->turns,
                                          told->ours}[n]);
 }
 
@@ -94,7 +87,7 @@ void judge_print(FILE *file, const struct judge_told *told)
     char text[4096];
 
     snprintf(text, sizeof text, "- %s%s%s: %s. %s%s%s%s%s%s%s\n", told->source,
-             *told->source ? ": " : "", told->quote, judge_verdict(told->turn), told->here,
+             *told->source ? ": " : "", told->quote, verdict_word(told->turn), told->here,
              *told->turns ? " " : "", told->turns, *told->ours ? " " : "", told->ours,
              *told->reading ? " Reading: " : "", told->reading);
     table_print_wrapped(text, file);

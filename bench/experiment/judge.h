@@ -7,16 +7,9 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-struct table;
+#include "bench/data/verdict.h"
 
-enum judge {
-    JUDGE_FAILS,
-    JUDGE_HOLDS,
-    JUDGE_OPEN,  /* cannot be judged: a number is missing or within the error bars      */
-    JUDGE_QUICK, /* a quick run simulates less than the sentence is about               */
-    JUDGE_BUSY,  /* seconds decide it, and the machine was busy                         */
-    JUDGES
-};
+struct table;
 
 /* Returns the larger of two, NaN if either is. */
 double judge_most(double a, double b);
@@ -25,34 +18,31 @@ double judge_most(double a, double b);
  * smaller
  * (-1), by more than `bar`, the error of a difference: one that goes the other way settles
  * it, one within the bar leaves it open, as fewer than two values do. */
-enum judge judge_order(int count, const double *value, int sign, double bar);
+enum verdict judge_order(int count, const double *value, int sign, double bar);
 
 /* Judges value < bound. */
-enum judge judge_below(double value, double bound);
+enum verdict judge_below(double value, double bound);
 
 /* Judges whether a ratio of two times agrees with that of another machine: on the same side
  * of 1, unless theirs lies in .9 to 1.1, and within a factor of 2. */
-enum judge judge_ratio(double ours, double paper);
+enum verdict judge_ratio(double ours, double paper);
 
 /* Judges whether the exponent of a time over a size agrees so: within .25. */
-enum judge judge_exponent(double ours, double paper);
+enum verdict judge_exponent(double ours, double paper);
 
 /* Joins two judgements, both of which must hold. */
-enum judge judge_both(enum judge a, enum judge b);
+enum verdict judge_both(enum verdict a, enum verdict b);
 
 /* A statement that was judged. */
 struct judge_told {
     const char *source; /* section of the paper; "": the statement is ours                */
     const char *quote;  /* what is stated                                                 */
-    enum judge turn;
+    enum verdict turn;
     char *reading; /* of what the paper leaves open, and why; ""                          */
     char *here;    /* the numbers that decide it                                          */
     char *turns;   /* the readings that have another verdict, and their numbers; ""       */
     char *ours;    /* the numbers of what we would do instead; ""                         */
 };
-
-/* Returns the words for a verdict: "holds", "does not hold", "cannot be judged", ... */
-const char *judge_verdict(enum judge turn);
 
 /* Makes a table for statements that were judged, and adds one to it: source, claim,
  * reading, verdict, sentence, turns, ours. NULL without memory, as table_create. */

@@ -624,8 +624,8 @@ out:
 }
 
 /* Reads the rules that another plan has under the key. */
-static enum status read_others(const char *name, const char *key,
-                               struct verdict_rules *rules, struct message *why)
+static enum status read_others(const char *name, const char *key, struct rules *rules,
+                               struct message *why)
 {
     enum status st;
     char *path = NULL, *text = NULL;
@@ -637,7 +637,7 @@ static enum status read_others(const char *name, const char *key,
         list = yaml_tree_find(root, key);
     if (!list)
         TRY(yaml_tree_refuse(root, why, "this plan has no %s", key));
-    TRY(verdict_read(list, rules, why));
+    TRY(rules_read(list, rules, why));
 out:
     yaml_tree_free(root);
     free(text);
@@ -649,11 +649,11 @@ out:
 static enum status read_verdicts(const struct schema_key *key, const struct yaml_tree *node,
                                  void *target, struct message *why)
 {
-    struct verdict_rules *rules = (void *)((char *)target + key->offset);
+    struct rules *rules = (void *)((char *)target + key->offset);
     struct message reason = {""};
 
     if (node->kind != YAML_TREE_SCALAR)
-        return verdict_read(node, rules, why);
+        return rules_read(node, rules, why);
     const enum status st = read_others(node->text, key->key, rules, &reason);
     if (st == STATUS_OK || st == STATUS_MEMORY)
         return st;
@@ -1166,7 +1166,7 @@ void plan_clear(struct plan *plan)
                            plan->name,       plan->source,    plan->what};
     for (size_t n = 0; n < sizeof owned / sizeof *owned; n++)
         free(owned[n]);
-    verdict_clear(&plan->verdicts);
+    rules_clear(&plan->verdicts);
     *plan = (struct plan){0};
 }
 

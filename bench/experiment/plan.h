@@ -18,7 +18,7 @@
 
 #include <stdbool.h>
 
-#include "bench/experiment/verdict.h"
+#include "bench/experiment/rules.h"
 #include "bench/harness/run.h"
 #include "models/reader/named_file.h"
 #include "models/reader/schema.h"
@@ -188,7 +188,7 @@ struct plan {
     int intersections; /* 0 or 1                                                       */
     enum plan_keep keep;
     double time_limit; /* of a case [s]                                                */
-    struct verdict_rules verdicts;
+    struct rules verdicts;
     struct plan_falls falls;
     struct plan_map map;
     int study_count;

@@ -82,7 +82,7 @@ struct sweep_row {
     enum status outcome;    /* of a run                                                */
     double value[MEASURES]; /* NaN unless it ran                                       */
     double create_seconds, step_seconds, look_seconds; /* NaN unless it ran            */
-    struct verdict verdict; /* by the plan's rules                                    */
+    struct ruling verdict; /* by the plan's rules                                    */
     char *label; /* "feasible", "died", ..., "no result", "run again"           owned */
     char *why;   /* how it ended, or why there is nothing                       owned */
 };

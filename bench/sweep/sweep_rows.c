@@ -47,8 +47,8 @@ enum status sweep_rows_set(struct sweep_rows *rows, long number, enum sweep_stat
         row->value[n] = ran ? result->value[n] : NAN;
     snprintf(label, sizeof label, "%s", state == SWEEP_OPEN ? "run again" : "no result");
     if (ran) {
-        row->verdict = verdict_of(&plan->verdicts, result);
-        verdict_text(&plan->verdicts, row->verdict, label, sizeof label);
+        row->verdict = rules_of(&plan->verdicts, result);
+        rules_text(&plan->verdicts, row->verdict, label, sizeof label);
     }
     row->label = strdup(label);
     row->why = strdup(why);
@@ -225,7 +225,7 @@ static void add_case(struct table *t, const struct plan *plan, const struct plan
             table_add(t, "%s", c->given[k] ? c->given[k]->value : "");
     for (int n = 0; n < MEASURES; n++)
         table_add(t, "%.6g", row->value[n]);
-    table_add(t, "%s|%s|%s", verdict_kind_word[row->verdict.kind], row->label, row->why);
+    table_add(t, "%s|%s|%s", verdict_word(row->verdict.kind), row->label, row->why);
 }
 
 static void add_seconds(struct table *t, long number, const struct sweep_row *row)
@@ -282,14 +282,14 @@ static void print_plan(const struct plan *plan, FILE *file)
  * count as passed. */
 static void print_label(const struct sweep_rows *rows, int n, FILE *file)
 {
-    const struct verdict_rules *rules = &rows->plan->verdicts;
+    const struct rules *rules = &rows->plan->verdicts;
     const char *label = rules->rule[n].label;
     long judged = 0, have = 0, lack = 0;
 
     for (const struct sweep_row *row = rows->row; row < rows->row + rows->count; row++) {
         judged += row->verdict.kind != VERDICT_NONE;
-        have += row->state == SWEEP_RAN && verdict_has(rules, row->verdict, label);
-        lack += row->state == SWEEP_RAN && verdict_lacks(rules, row->verdict, label);
+        have += row->state == SWEEP_RAN && rules_has(rules, row->verdict, label);
+        lack += row->state == SWEEP_RAN && rules_lacks(rules, row->verdict, label);
     }
     if (lack && lack == judged)
         fprintf(file, "  %-24s not judged: it was not measured\n", label);
@@ -300,7 +300,7 @@ static void print_label(const struct sweep_rows *rows, int n, FILE *file)
         fprintf(file, "  %-24s%6ld\n", label, have);
 }
 
-static bool is_new_label(const struct verdict_rules *rules, int n)
+static bool is_new_label(const struct rules *rules, int n)
 {
     for (int m = 0; m < n; m++)
         if (!strcmp(rules->rule[m].label, rules->rule[n].label))

@@ -72,9 +72,9 @@ static void add_row(struct table *t, const struct verify_check *check,
 {
     table_line(t, "%s|%s|%.*g|%.*g|%.1g|%.2g|%.2g|%.2f|%s|%.2g|%.3g|%s|%s|%s|%s|%s",
                row->quantity, row->subject, DIGITS, row->value, DIGITS, row->truth,
-               row->bar, row->error, row->tolerance, row->order,
-               verify_verdict_name((int)row->verdict), row->seconds, row->until, row->note,
-               check->item.name, check->source, row->changed, row->name);
+               row->bar, row->error, row->tolerance, row->order, verdict_word(row->verdict),
+               row->seconds, row->until, row->note, check->item.name, check->source,
+               row->changed, row->name);
 }
 
 /* Creates the table of a sheet for people, without the columns in which it has no number.
@@ -128,12 +128,8 @@ static bool take_row(const struct csv_table *t, int n, struct verify_row *row)
     snprintf(row->field, sizeof row->field, "%s", csv_words(t, n, column));
     NUMBERS(TAKE_NUMBER)
     TEXTS(TAKE_TEXT)
-    for (int v = 0; v < VERIFY_VERDICTS; v++)
-        if (!strcmp(csv_words(t, n, VERDICT), verify_verdict_name(v))) {
-            row->verdict = (enum verify_verdict)v;
-            return true;
-        }
-    return false;
+    row->verdict = verdict_find(csv_words(t, n, VERDICT));
+    return row->verdict != VERDICTS;
 }
 
 static bool is_ours(const struct csv *csv)
@@ -316,7 +312,7 @@ static enum status end_row(void *context, long number, const struct child_end *e
     if (end->outcome == CHILD_DONE)
         return STATUS_OK;
     task->row->until = end->reached, task->row->seconds = end->seconds;
-    verify_row_end(task->row, VERIFY_DIED, "%s", end->why.text);
+    verify_row_end(task->row, VERDICT_DIED, "%s", end->why.text);
     return STATUS_OK;
 }
 
@@ -410,31 +406,32 @@ static void add_notes(struct table *t, const struct verify_sheet *sheet, size_t 
 static void add_tally(struct table *t, const char *name, const struct verify_sheet *sheet,
                       int sheets)
 {
-    long rows[VERIFY_VERDICTS + 1] = {0};
+    long rows[VERDICTS + 1] = {0};
     double seconds = 0;
 
     for (const struct verify_sheet *end = sheet + sheets; sheet < end; sheet++)
         for (int n = 0; n < sheet->count; n++) {
             rows[sheet->rows[n].verdict]++;
-            rows[VERIFY_VERDICTS]++;
+            rows[VERDICTS]++;
             seconds += sheet->rows[n].seconds;
         }
     table_line(t, "%s", name);
-    for (int v = 0; v <= VERIFY_VERDICTS; v++)
+    for (enum verdict v = VERDICT_MET; v <= VERDICT_DIED; v++)
         table_add(t, "%ld", rows[v]);
-    table_add(t, "%.2g", seconds);
+    table_add(t, "%ld|%.2g", rows[VERDICTS], seconds);
 }
 
 static enum status print_summary(const struct job *job)
 {
-    struct table_column heads[VERIFY_VERDICTS + 3] = {{job->set->item, NULL, TABLE_LEFT}};
+    enum { HEADS = VERDICT_DIED - VERDICT_MET + 4 };
+    struct table_column heads[HEADS] = {{job->set->item, NULL, TABLE_LEFT},
+                                        [HEADS - 2] = {"rows"},
+                                        [HEADS - 1] = {"time", "s"}};
     long claims = 0, changed = 0; /* tested claims; those changed after a result */
 
-    for (int v = 0; v < VERIFY_VERDICTS; v++)
-        heads[v + 1] = (struct table_column){verify_verdict_name(v)};
-    heads[VERIFY_VERDICTS + 1] = (struct table_column){"rows"};
-    heads[VERIFY_VERDICTS + 2] = (struct table_column){"time", "s"};
-    struct table *t = table_create(VERIFY_VERDICTS + 3, heads, "How many rows end how");
+    for (enum verdict v = VERDICT_MET; v <= VERDICT_DIED; v++)
+        heads[v - VERDICT_MET + 1].header = verdict_word(v);
+    struct table *t = table_create(HEADS, heads, "How many rows end how");
     for (int s = 0; s < job->count; s++) {
         add_tally(t, job->check[s]->item.name, &job->sheet[s], 1);
         for (int n = 0; n < job->sheet[s].count; n++) {

@@ -10,21 +10,14 @@
 #include "bench/harness/fit.h"
 #include "models/clock.h"
 
-const char *verify_verdict_name(int verdict)
-{
-    static const char *const words[] = {VERIFY_VERDICT_LIST(LIST_WORD)};
-
-    return verdict >= 0 && verdict < VERIFY_VERDICTS ? words[verdict] : "unknown";
-}
-
 void verify_row_judge_error(struct verify_row *row, double error, double bar)
 {
     row->error = error;
     row->bar = bar;
     if (isnan(row->tolerance))
-        row->verdict = VERIFY_NO_CLAIM;
+        row->verdict = VERDICT_NO_CLAIM;
     else /* written so that an error that is no number misses */
-        row->verdict = error <= row->tolerance + bar ? VERIFY_MET : VERIFY_MISSED;
+        row->verdict = error <= row->tolerance + bar ? VERDICT_MET : VERDICT_MISSED;
 }
 
 void verify_row_judge(struct verify_row *row, double value, double truth, double bar)
@@ -48,8 +41,7 @@ double verify_row_apart(int count, const double *a, const double *b)
     return worst;
 }
 
-void verify_row_end(struct verify_row *row, enum verify_verdict verdict, const char *note,
-                    ...)
+void verify_row_end(struct verify_row *row, enum verdict verdict, const char *note, ...)
 {
     size_t used = strlen(row->note);
     va_list arguments;
@@ -65,13 +57,13 @@ void verify_row_end(struct verify_row *row, enum verify_verdict verdict, const c
 
 bool verify_row_claims(const struct verify_row *row)
 {
-    return row->verdict == VERIFY_MET || row->verdict == VERIFY_MISSED ||
-           (row->verdict == VERIFY_DIED && !isnan(row->tolerance));
+    return row->verdict == VERDICT_MET || row->verdict == VERDICT_MISSED ||
+           (row->verdict == VERDICT_DIED && !isnan(row->tolerance));
 }
 
 bool verify_row_failed(const struct verify_row *row)
 {
-    return verify_row_claims(row) && row->verdict != VERIFY_MET;
+    return verify_row_claims(row) && row->verdict != VERDICT_MET;
 }
 
 static void add_net(struct verify_subject *s, int along, int across)
@@ -282,7 +274,7 @@ struct verify_row *verify_sheet_add(const struct verify_subject *subject,
                                .order = NAN,
                                .until = NAN,
                                .tolerance = subject->tolerance,
-                               .verdict = VERIFY_NOT_APPLICABLE};
+                               .verdict = VERDICT_NOT_APPLICABLE};
     va_start(arguments, quantity);
     vsnprintf(row->quantity, sizeof row->quantity, quantity, arguments);
     va_end(arguments);
@@ -321,9 +313,9 @@ static bool tell(struct verify_trial *t, enum status st, const struct message *s
 {
     t->lived = st == STATUS_OK;
     if (st == STATUS_UNSUPPORTED)
-        verify_row_end(t->row, VERIFY_NOT_APPLICABLE, "%s", sentence->text);
+        verify_row_end(t->row, VERDICT_NOT_APPLICABLE, "%s", sentence->text);
     else if (status_is_death(st))
-        verify_row_end(t->row, VERIFY_DIED, "%s",
+        verify_row_end(t->row, VERDICT_DIED, "%s",
                        *sentence->text ? sentence->text : status_text(st));
     else if (st != STATUS_OK)
         verify_sheet_holds(t->subject->sheet,
@@ -412,7 +404,7 @@ bool verify_trial_watch(struct verify_trial *t, motion_watcher *watch, void *con
             t->row->seconds += m.seconds[i];
         if (m.death != STATUS_OK) {
             t->row->until = m.death_time;
-            verify_row_end(t->row, VERIFY_DIED, "at %g s: %s", m.death_time,
+            verify_row_end(t->row, VERDICT_DIED, "at %g s: %s", m.death_time,
                            status_text(m.death));
         }
     }
@@ -437,7 +429,7 @@ double *verify_trial_matrix(struct verify_trial *t, bool mass, int *rows)
                                ? model->matrices(t->run.state, &sparse[0], &sparse[1])
                                : STATUS_UNSUPPORTED;
     if (st == STATUS_UNSUPPORTED)
-        verify_row_end(t->row, VERIFY_NOT_APPLICABLE,
+        verify_row_end(t->row, VERDICT_NOT_APPLICABLE,
                        model->matrices ? "it has none for control points as unknowns"
                                        : "it has no constant matrices");
     else if (verify_sheet_holds(sheet, st)) {
@@ -515,7 +507,8 @@ bool verify_trial_worst(struct verify_trial *t, double value, double truth,
 {
     const double fine = error[t->subject->nets - 1];
 
-    if (t->row->verdict != VERIFY_NOT_APPLICABLE && !isnan(fine) && !(fine > t->row->error))
+    if (t->row->verdict != VERDICT_NOT_APPLICABLE && !isnan(fine) &&
+        !(fine > t->row->error))
         return false;
     t->row->value = value;
     t->row->truth = truth;
@@ -579,7 +572,7 @@ static void refine_step(const struct verify_subject *s, const struct verify_tria
     if (lived)
         verify_row_judge_error(row, change[0], NAN);
     else
-        verify_row_end(row, VERIFY_NOT_APPLICABLE, "a coarser step %s", scratch.note);
+        verify_row_end(row, VERDICT_NOT_APPLICABLE, "a coarser step %s", scratch.note);
     row->order = order_of(change[1], change[0]);
     row->seconds += scratch.seconds;
 }
@@ -600,7 +593,7 @@ bool verify_trial_refine(const struct verify_subject *subject,
         if (r->field)
             memcpy(r->field, room, size * sizeof *room);
         if (r->beyond)
-            verify_row_end(row, VERIFY_OUT_OF_RANGE, "%s", r->beyond);
+            verify_row_end(row, VERDICT_OUT_OF_RANGE, "%s", r->beyond);
         refine_net(subject, r, row, field[1]);
     }
     if (lived && r->steps > 1) {

@@ -26,6 +26,7 @@
 #ifndef VERIFY_CHECK_H
 #define VERIFY_CHECK_H
 
+#include "bench/data/verdict.h"
 #include "bench/files/arena.h"
 #include "bench/harness/motion.h"
 #include "bench/harness/run.h"
@@ -33,17 +34,6 @@
 #include "fem_ref/reference.h"
 
 /* --- Rows. */
-
-#define VERIFY_VERDICT_LIST(X)                                                             \
-    X(MET, "met")                       /* error <= tolerance + bar                   */   \
-    X(MISSED, "MISSED")                 /* a claim that does not hold                 */   \
-    X(NO_CLAIM, "no claim")             /* measured; nothing is claimed               */   \
-    X(OUT_OF_RANGE, "out of range")     /* the model's theory does not reach here     */   \
-    X(NOT_APPLICABLE, "not applicable") /* nothing computed: the note says why        */   \
-    X(DIED, "died")                     /* the note says when and of what             */
-#define VERIFY_VERDICT(code, word) VERIFY_##code,
-enum verify_verdict { VERIFY_VERDICT_LIST(VERIFY_VERDICT) VERIFY_VERDICTS };
-const char *verify_verdict_name(int verdict); /* "unknown" beyond the last */
 
 enum { VERIFY_TEXT = 96, VERIFY_NAME = 32, VERIFY_NOTE = 1024, VERIFY_CHANGED = 160 };
 
@@ -59,7 +49,7 @@ struct verify_row {
     double order;               /* observed order of convergence                          */
     double until;               /* time of death, or of the first error beyond [s]        */
     double seconds;             /* of the runs behind the row                             */
-    enum verify_verdict verdict;
+    enum verdict verdict;
     char note[VERIFY_NOTE];
     char changed[VERIFY_CHANGED]; /* the claim before a result changed it; "": none was   */
 };
@@ -77,8 +67,8 @@ double verify_row_apart(int count, const double *a, const double *b);
 
 /* Ends a row without judgement, adding a sentence that says why. verify_row_note adds the
  * sentence alone. */
-void verify_row_end(struct verify_row *row, enum verify_verdict verdict, const char *note,
-                    ...) __attribute__((format(printf, 3, 4)));
+void verify_row_end(struct verify_row *row, enum verdict verdict, const char *note, ...)
+    __attribute__((format(printf, 3, 4)));
 #define verify_row_note(row, ...) verify_row_end(row, (row)->verdict, __VA_ARGS__)
 
 /* Return whether the row holds a tested claim (met, missed, died), and whether it failed.

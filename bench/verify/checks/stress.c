@@ -604,14 +604,14 @@ static void end_row(struct judged *r, enum status st)
         verify_row_judge_error(r->row, r->row->error, 0);
         r->row->bar = NAN;
         if (!isfinite(r->row->error))
-            r->row->error = NAN, r->row->verdict = VERIFY_DIED;
+            r->row->error = NAN, r->row->verdict = VERDICT_DIED;
         return;
     }
     *r->row->note = '\0';
     r->row->error = NAN;
     verify_row_end(r->row,
-                   st == STATUS_UNSUPPORTED || st == STATUS_INPUT ? VERIFY_NOT_APPLICABLE
-                                                                  : VERIFY_DIED,
+                   st == STATUS_UNSUPPORTED || st == STATUS_INPUT ? VERDICT_NOT_APPLICABLE
+                                                                  : VERDICT_DIED,
                    "%s", text);
 }
 

@@ -131,8 +131,8 @@ static void draw(struct verify_subject *s, double friction, bool may_tell)
         R - CONTACT / 2, friction, CONTACT, LED + SLIDE);
     if (verify_trial_watch(&t, look, &seen))
         judge(t.row, &seen, friction);
-    if (may_tell && t.row->verdict == VERIFY_MISSED && seen.told)
-        verify_row_end(t.row, VERIFY_OUT_OF_RANGE, "%s", seen.told);
+    if (may_tell && t.row->verdict == VERDICT_MISSED && seen.told)
+        verify_row_end(t.row, VERDICT_OUT_OF_RANGE, "%s", seen.told);
 }
 
 static void add_row(struct verify_subject *s)

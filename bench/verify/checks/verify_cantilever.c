@@ -104,12 +104,12 @@ static void add_field(struct verify_subject *s)
                         verify_note(s, "poisson"));
     if (!verify_trial_nets(&t, measure_field, &f, NAN, NAN))
         return;
-    if (t.row->verdict == VERIFY_MISSED && s->layers == 2)
+    if (t.row->verdict == VERDICT_MISSED && s->layers == 2)
         verify_row_note(t.row,
                         "one layer in plane stress thins at the clamp, over a width h, "
                         "where a solid cannot: no net mends that");
     if (!s->layers && h >= THICK)
-        verify_row_end(t.row, VERIFY_OUT_OF_RANGE, "a theory of thin sheets");
+        verify_row_end(t.row, VERDICT_OUT_OF_RANGE, "a theory of thin sheets");
 }
 
 const struct verify_check verify_cantilever = {

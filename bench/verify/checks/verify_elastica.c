@@ -27,7 +27,7 @@ static void come_to_rest(struct verify_trial *t, double gamma, double *xyz)
     const double moved = hypot(both[1][0] - both[0][0], both[1][2] - both[0][2]);
     if (t->net == t->subject->nets - 1 &&
         moved > REST * verify_number(t->subject, "H_over_L")) {
-        verify_row_end(t->row, VERIFY_NOT_APPLICABLE,
+        verify_row_end(t->row, VERDICT_NOT_APPLICABLE,
                        "not at rest: moved %.2g L in the last half", moved);
         t->lived = false;
     }
@@ -82,7 +82,7 @@ static void add_row(struct verify_subject *s)
     if (!verify_strips_worst(&t, s, measure, last, s->sheet->quick ? rows : 1, truth, BAR))
         verify_row_note(t.row, "Gamma = %.4g", verify_number(s, "Gamma"));
     else if (linear && to > VERIFY_STRIPS_LINEAR_GAMMA)
-        verify_row_end(t.row, VERIFY_OUT_OF_RANGE, "small strains reach to Gamma = %g",
+        verify_row_end(t.row, VERDICT_OUT_OF_RANGE, "small strains reach to Gamma = %g",
                        VERIFY_STRIPS_LINEAR_GAMMA);
 }
 

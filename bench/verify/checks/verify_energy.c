@@ -105,7 +105,7 @@ static void add_rows(struct verify_subject *s)
     else if (steps > 0 && substeps > 1)
         verify_row_note(t.row, "%.3g substeps a step of %g ms", substeps, 1e3 * dt);
     if (t.lived && isnan(l.gained))
-        verify_row_end(t.row, VERIFY_NOT_APPLICABLE, "it has no elastic energy");
+        verify_row_end(t.row, VERDICT_NOT_APPLICABLE, "it has no elastic energy");
     else if (t.lived) {
         verify_row_judge_error(t.row, l.gained / l.turned, 0);
         s->tolerance = s->second;

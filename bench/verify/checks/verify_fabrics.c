@@ -67,7 +67,7 @@ static double bending_length(struct verify_trial *t, void *context)
     }
     if (t->lived && !(fabs(x[1] - x[0]) <= FOUND)) {
         t->lived = false;
-        verify_row_end(t->row, VERIFY_DIED, "no overhang found in %d tries", MOST_TRIES);
+        verify_row_end(t->row, VERDICT_DIED, "no overhang found in %d tries", MOST_TRIES);
     }
     return exp(x[1]) / 2;
 }
@@ -84,13 +84,13 @@ static void add_row(struct verify_subject *s)
     struct verify_trial t =
         verify_trial_of(s, "cantilever", "bending length [m], %s", name);
     if (!s->contestant->model->equilibrium)
-        verify_row_end(t.row, VERIFY_NOT_APPLICABLE,
+        verify_row_end(t.row, VERDICT_NOT_APPLICABLE,
                        "at this Gamma it does not come to rest (see elastica)");
     else if (verify_trial_nets(&t, bending_length, &overhang, overhang / 2, FOUND)) {
         verify_row_note(t.row, "%s: weight c^3 = %.4g N m for D = %.4g N m", name,
                         weight * pow(t.row->value, 3), D);
         if (verify_subject_is_linear(s))
-            verify_row_end(t.row, VERIFY_OUT_OF_RANGE,
+            verify_row_end(t.row, VERDICT_OUT_OF_RANGE,
                            "small strains reach to Gamma = %g, this is at %.4g",
                            VERIFY_STRIPS_LINEAR_GAMMA, gamma);
     }

@@ -72,7 +72,7 @@ static void judge(struct verify_subject *s, const char *edges, bool nafems)
         if (verify_trial_worst(&t, found[1][n], truth[n], error, bar))
             worst = n;
     }
-    if (t.row->verdict == VERIFY_MISSED && t.row->order < 0.5)
+    if (t.row->verdict == VERDICT_MISSED && t.row->order < 0.5)
         verify_row_note(t.row,
                         "refinement leaves mode %d where it is: spurious, or one missing",
                         worst + 1);

@@ -93,7 +93,7 @@ static void add_row(struct verify_subject *s)
     snprintf(t.row->quantity, sizeof t.row->quantity,
              "omega_%d sqrt(L / g), worst of 3, Gamma = %g", mode, gamma);
     if (verify_subject_is_linear(s) && gamma > LINEAR_GAMMA)
-        verify_row_end(t.row, VERIFY_OUT_OF_RANGE,
+        verify_row_end(t.row, VERDICT_OUT_OF_RANGE,
                        "modes without weight reach to Gamma = %g", LINEAR_GAMMA);
 }
 

@@ -239,7 +239,7 @@ static void add_fold(struct verify_subject *s)
         verify_row_judge_error(t.row, vector_length(sums.momentum[1]) / pressed, 0);
         verify_row_note(t.row, "touches in %d frames", sums.touched);
         if (!sums.touched)
-            verify_row_end(t.row, VERIFY_NOT_APPLICABLE, "which shows nothing");
+            verify_row_end(t.row, VERDICT_NOT_APPLICABLE, "which shows nothing");
         verify_subject_claim(s, TURN, NULL);
         verify_row_judge_error(
             verify_sheet_add(s, "angular momentum without its torque"),

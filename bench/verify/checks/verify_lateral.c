@@ -89,8 +89,8 @@ static void add_critical(struct verify_subject *s, double width, double nu, doub
         return;
     verify_row_note(t.row, "%s at 0.97, %s at 1.03 of the truth",
                     lambda[0] > 0 ? "stable" : "grows", lambda[1] > 0 ? "stable" : "grows");
-    if (!(lambda[0] > 0 && lambda[1] < 0) && t.row->verdict == VERIFY_MET)
-        t.row->verdict = VERIFY_MISSED;
+    if (!(lambda[0] > 0 && lambda[1] < 0) && t.row->verdict == VERDICT_MET)
+        t.row->verdict = VERDICT_MISSED;
 }
 
 /* Judges the bracket in time: by how much a sideways jolt of the clamp by 1e-4 L has grown

@@ -74,7 +74,7 @@ static void add_box(struct verify_subject *s)
     verify_trial_set(&t, BOX);
     double *ours = verify_trial_matrix(&t, mass, &rows);
     if (ours && !mass && s->mark)
-        verify_row_end(t.row, VERIFY_NOT_APPLICABLE,
+        verify_row_end(t.row, VERDICT_NOT_APPLICABLE,
                        "its stiffness differs from the solid's on purpose");
     else if (ours)
         judge_box(&t, mass, rows, ours);

@@ -41,9 +41,9 @@ static void must_run(struct verify_trial *t, double angle)
 {
     const unsigned needs = fmod(angle, 90) == 0 ? SCENE_NEED_FABRIC : SCENE_NEED_BIAS;
 
-    if (t->row->verdict == VERIFY_NOT_APPLICABLE && !isnan(t->row->tolerance) &&
+    if (t->row->verdict == VERDICT_NOT_APPLICABLE && !isnan(t->row->tolerance) &&
         t->subject->contestant->model->serves & needs)
-        t->row->verdict = VERIFY_DIED;
+        t->row->verdict = VERDICT_DIED;
 }
 
 /* --- Strips bent by their weight: 1 / (B^-1)_11. */

@@ -22,7 +22,7 @@ static const struct verify_field without_mode = {others};
 
 static void add_none(struct verify_subject *s)
 {
-    verify_row_end(verify_sheet_add(s, "frequency / exact"), VERIFY_NOT_APPLICABLE,
+    verify_row_end(verify_sheet_add(s, "frequency / exact"), VERDICT_NOT_APPLICABLE,
                    "it has no net with a single mode along itself");
 }
 

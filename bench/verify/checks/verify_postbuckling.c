@@ -43,7 +43,7 @@ static bool settle(struct verify_trial *t, double end, struct shape *shape)
                      "time.end=%.17g",
                      end);
     if (verify_trial_settle(t) && !t->run.model->energy) {
-        verify_row_end(t->row, VERIFY_NOT_APPLICABLE, "it tells no energy");
+        verify_row_end(t->row, VERDICT_NOT_APPLICABLE, "it tells no energy");
         t->lived = false;
     } else if (t->lived) {
         t->run.model->energy(t->run.state, &energy);

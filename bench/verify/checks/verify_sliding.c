@@ -85,8 +85,8 @@ static void add_row(struct verify_subject *s)
                          1 - sqrt(1 - tan(slope) / friction), 0);
     else
         verify_row_judge(t.row, seen.end, way_of(slope, friction, belt), 0);
-    if (t.row->verdict == VERIFY_MISSED && seen.missed)
-        verify_row_end(t.row, VERIFY_OUT_OF_RANGE, "told: %ld steps have not arrived",
+    if (t.row->verdict == VERDICT_MISSED && seen.missed)
+        verify_row_end(t.row, VERDICT_OUT_OF_RANGE, "told: %ld steps have not arrived",
                        seen.missed);
 }
 

@@ -47,7 +47,7 @@ static void add_shear(struct verify_subject *s)
     if (!verify_strips_worst(&t, s, measure, last, 1, truth, BAR))
         verify_row_note(t.row, "at %.3g of the load", verify_number(s, "P_over_Pmax"));
     else if (verify_subject_is_linear(s) && to > LINEAR_LOAD)
-        verify_row_end(t.row, VERIFY_OUT_OF_RANGE, "small strains reach to %g of the load",
+        verify_row_end(t.row, VERDICT_OUT_OF_RANGE, "small strains reach to %g of the load",
                        LINEAR_LOAD);
 }
 
@@ -103,7 +103,7 @@ static void add_moment(struct verify_subject *s)
     struct verify_trial t =
         verify_trial_of(s, "cantilever", "3.2, end turned by %.3g rad: shape", turn);
     if (!s->layers || verify_subject_is_linear(s)) {
-        verify_row_end(t.row, VERIFY_NOT_APPLICABLE,
+        verify_row_end(t.row, VERDICT_NOT_APPLICABLE,
                        s->layers ? "small strains do not turn"
                                  : "its edge has no face that could be led");
         return;

@@ -78,7 +78,7 @@ static void add_scene(struct verify_sheet *sheet, struct stored *s)
     for (const struct verify_subject *who = all; who < all + subjects; who++)
         if (st == STATUS_UNSUPPORTED)
             verify_row_end(verify_sheet_add(who, "%s, rms / L", s->scene),
-                           VERIFY_NOT_APPLICABLE, "%s", sentence.text);
+                           VERDICT_NOT_APPLICABLE, "%s", sentence.text);
         else if (index >= 0) {
             const double time = s->truth.time[index], length = s->length;
             struct verify_trial t =

@@ -28,7 +28,7 @@ struct change {
     struct where rows[LABELS + 1]; /* labels: one, or several with " or " between */
 };
 struct turn {
-    enum judge want;
+    enum verdict want;
     bool turns; /* another reading has another verdict                               */
     const char *quote;
     struct change change[6];
@@ -198,12 +198,13 @@ static void check_each_turned(const struct turns *t)
     const struct claim *c;
 
     for (int k = 0; (c = claim_number(t->plan, k)); k++) {
-        bool seen[JUDGES] = {false};
+        bool seen[VERDICTS] = {false};
         for (int n = 0; n < t->count; n++)
             if (claim_of(t->plan, t->turn[n].quote) == c)
                 seen[t->turn[n].want] = true;
-        const bool both = seen[JUDGE_HOLDS] && seen[JUDGE_FAILS];
-        if (!CHECK(both || (seen[JUDGE_OPEN] && !seen[JUDGE_HOLDS] && !seen[JUDGE_FAILS])))
+        const bool both = seen[VERDICT_HOLDS] && seen[VERDICT_FAILS];
+        if (!CHECK(both ||
+                   (seen[VERDICT_OPEN] && !seen[VERDICT_HOLDS] && !seen[VERDICT_FAILS])))
             printf("  %s: \"%s\" is not turned both ways\n", t->plan, c->quote);
     }
 }
@@ -412,11 +413,11 @@ static struct change change_of(char *text)
 /* A line, its continuations joined. */
 static void add_line(struct turns *t, char *line)
 {
-    static const char *const verdict[] = {[JUDGE_FAILS] = "fails",
-                                          [JUDGE_HOLDS] = "holds",
-                                          [JUDGE_OPEN] = "open",
-                                          [JUDGE_QUICK] = "quick",
-                                          [JUDGE_BUSY] = "busy"};
+    static const char *const verdict[] = {[VERDICT_FAILS] = "fails",
+                                          [VERDICT_HOLDS] = "holds",
+                                          [VERDICT_OPEN] = "open",
+                                          [VERDICT_QUICK] = "quick",
+                                          [VERDICT_BUSY] = "busy"};
     char *rest = cut(line, " | "), *name = cut(line, " ");
 
     if (!strcmp(line, "plan")) {
@@ -431,9 +432,9 @@ static void add_line(struct turns *t, char *line)
     REQUIRE(t->plan && t->count < TURNS);
     struct turn *turn = &t->turn[t->count++];
     turn->turns = cut(line, "*") != NULL;
-    while (turn->want < JUDGES && strcmp(line, verdict[turn->want]))
+    while (turn->want <= VERDICT_BUSY && strcmp(line, verdict[turn->want]))
         turn->want++;
-    REQUIRE(turn->want < JUDGES);
+    REQUIRE(turn->want <= VERDICT_BUSY);
     turn->quote = name;
     for (char *next; rest; rest = next) {
         next = cut(rest, " | ");

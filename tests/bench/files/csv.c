@@ -59,8 +59,8 @@ static void check_kept(void)
     table_line(t, "a \"b\",\nc|%.3g", 0.1);
     table_note(t, "one\ntwo");
     CHECK(kept_table(&p, t) == STATUS_OK);
-    kept_told(&p, &(struct judge_told){"4.1", "up, always", JUDGE_HOLDS, "at 1 s", "By 2.",
-                                       "It turns.", "Ours: 3."});
+    kept_told(&p, &(struct judge_told){"4.1", "up, always", VERDICT_HOLDS, "at 1 s",
+                                       "By 2.", "It turns.", "Ours: 3."});
     CHECK(kept_close(&kept, NULL) == STATUS_OK && !kept);
     REQUIRE(csv_read(KEPT_NAME, &csv, NULL) == STATUS_OK && csv.count == 2);
     CHECK(strstr(csv.table[0].caption, "clothbench table 1 | commit "));

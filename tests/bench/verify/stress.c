@@ -58,7 +58,7 @@ static void check_choice(void)
 
 /* Runs a case and checks its verdict, and that a refusal or a death says why. */
 static double check_run(const char *folder, const char *name, const char *contestant,
-                        enum verify_verdict want)
+                        enum verdict want)
 {
     struct verify_sheet sheet = {.folder = folder, .models = contestant};
     struct verify_subject all[VERIFY_MOST];
@@ -79,12 +79,12 @@ static double check_run(const char *folder, const char *name, const char *contes
     const struct verify_row row = *sheet.rows;
     if (!CHECK(row.verdict == want))
         printf("%s, %s: %s with error %g (%s)\n", name, contestant,
-               verify_verdict_name((int)row.verdict), row.error, row.note);
+               verdict_word(row.verdict), row.error, row.note);
     if (case_at(n)->truth == &stress_contact || case_at(n)->truth == &stress_slide)
         CHECK(*row.note); /* nothing passes through unannounced */
-    if (want == VERIFY_NOT_APPLICABLE || want == VERIFY_DIED)
+    if (want == VERDICT_NOT_APPLICABLE || want == VERDICT_DIED)
         CHECK(*row.note && isnan(row.error));
-    if (want == VERIFY_DIED)
+    if (want == VERDICT_DIED)
         CHECK(isfinite(row.until));
     verify_sheet_clear(&sheet);
     return row.error;
@@ -94,56 +94,56 @@ static void check_runs(const char *folder)
 {
     static const struct {
         const char *c, *contestant;
-        enum verify_verdict want;
+        enum verdict want;
     } known[] = {
-        {"still", "iga_paper", VERIFY_MET},
-        {"still", "iga_nonlinear", VERIFY_MET},
-        {"still", "hex_incompatible", VERIFY_MET},
-        {"still", "shell_2", VERIFY_MET},
-        {"still", "mass_spring", VERIFY_MET},
-        {"still", "projective_dynamics", VERIFY_MET},
-        {"thin_5", "iga_selective", VERIFY_MET},
-        {"thin_5", "iga_nonlinear", VERIFY_MISSED}, /* locks */
-        {"thin_5", "hex_nonlinear", VERIFY_MISSED},
-        {"poisson_04999", "iga_selective", VERIFY_MET},
-        {"poisson_04999", "iga_nonlinear", VERIFY_MISSED},
-        {"folded_knots", "iga_nonlinear", VERIFY_NOT_APPLICABLE},
-        {"folded_knots", "shell_2", VERIFY_NOT_APPLICABLE},
-        {"folded_knots", "mass_spring", VERIFY_NOT_APPLICABLE},
-        {"torn_knots", "iga_nonlinear", VERIFY_NOT_APPLICABLE},
-        {"one_element", "iga_nonlinear", VERIFY_MISSED}, /* a parabola for a quartic */
-        {"millimetres", "iga_selective", VERIFY_MET},
-        {"inches", "mass_spring", VERIFY_MET},
-        {"soft", "shell_2", VERIFY_MET},
-        {"stiff", "iga_paper", VERIFY_MET},
-        {"spinning_bar", "shell_2", VERIFY_MET},
-        {"spinning_bar", "mass_spring", VERIFY_MISSED}, /* implicit Euler */
-        {"step_large", "iga_paper", VERIFY_MISSED},
-        {"swing_10000", "iga_paper", VERIFY_NOT_APPLICABLE}, /* has no elastic energy */
-        {"swing_10000", "mass_spring_leapfrog", VERIFY_MET},
-        {"rest_start", "shell_2", VERIFY_MET},
-        {"rest_start", "projective_dynamics", VERIFY_NOT_APPLICABLE},
-        {"rest_start", "iga_paper", VERIFY_DIED}, /* creeps */
-        {"thrown", "shell_2", VERIFY_MET},
-        {"buckling", "mass_spring", VERIFY_MET},
-        {"touching", "iga_selective", VERIFY_MET},
-        {"overlapping", "triangles", VERIFY_NOT_APPLICABLE},
-        {"coplanar", "shell_2", VERIFY_MET},
-        {"closing", "hex_nonlinear", VERIFY_MET},
-        {"crushed", "mass_spring_leapfrog", VERIFY_MET}, /* two walls, no room */
-        {"crushed", "position_based", VERIFY_MET},
-        {"stopping", "projective_dynamics", VERIFY_MET},
-        {"struck", "shell_2", VERIFY_MET},
-        {"struck", "mass_spring", VERIFY_MET},
-        {"struck", "projective_dynamics", VERIFY_MET},
-        {"struck", "position_based", VERIFY_MET},
-        {"thrown_at_ball", "triangles", VERIFY_MET},
-        {"pressed_fold", "mass_spring_leapfrog", VERIFY_MET},
-        {"thick_contact", "triangles", VERIFY_MET},
-        {"friction_0", "shell_2", VERIFY_MET},
-        {"friction_5", "position_based", VERIFY_MET},
-        {"needles", "mass_spring", VERIFY_MET},
-        {"flat_triangle", "iga_nonlinear", VERIFY_NOT_APPLICABLE},
+        {"still", "iga_paper", VERDICT_MET},
+        {"still", "iga_nonlinear", VERDICT_MET},
+        {"still", "hex_incompatible", VERDICT_MET},
+        {"still", "shell_2", VERDICT_MET},
+        {"still", "mass_spring", VERDICT_MET},
+        {"still", "projective_dynamics", VERDICT_MET},
+        {"thin_5", "iga_selective", VERDICT_MET},
+        {"thin_5", "iga_nonlinear", VERDICT_MISSED}, /* locks */
+        {"thin_5", "hex_nonlinear", VERDICT_MISSED},
+        {"poisson_04999", "iga_selective", VERDICT_MET},
+        {"poisson_04999", "iga_nonlinear", VERDICT_MISSED},
+        {"folded_knots", "iga_nonlinear", VERDICT_NOT_APPLICABLE},
+        {"folded_knots", "shell_2", VERDICT_NOT_APPLICABLE},
+        {"folded_knots", "mass_spring", VERDICT_NOT_APPLICABLE},
+        {"torn_knots", "iga_nonlinear", VERDICT_NOT_APPLICABLE},
+        {"one_element", "iga_nonlinear", VERDICT_MISSED}, /* a parabola for a quartic */
+        {"millimetres", "iga_selective", VERDICT_MET},
+        {"inches", "mass_spring", VERDICT_MET},
+        {"soft", "shell_2", VERDICT_MET},
+        {"stiff", "iga_paper", VERDICT_MET},
+        {"spinning_bar", "shell_2", VERDICT_MET},
+        {"spinning_bar", "mass_spring", VERDICT_MISSED}, /* implicit Euler */
+        {"step_large", "iga_paper", VERDICT_MISSED},
+        {"swing_10000", "iga_paper", VERDICT_NOT_APPLICABLE}, /* has no elastic energy */
+        {"swing_10000", "mass_spring_leapfrog", VERDICT_MET},
+        {"rest_start", "shell_2", VERDICT_MET},
+        {"rest_start", "projective_dynamics", VERDICT_NOT_APPLICABLE},
+        {"rest_start", "iga_paper", VERDICT_DIED}, /* creeps */
+        {"thrown", "shell_2", VERDICT_MET},
+        {"buckling", "mass_spring", VERDICT_MET},
+        {"touching", "iga_selective", VERDICT_MET},
+        {"overlapping", "triangles", VERDICT_NOT_APPLICABLE},
+        {"coplanar", "shell_2", VERDICT_MET},
+        {"closing", "hex_nonlinear", VERDICT_MET},
+        {"crushed", "mass_spring_leapfrog", VERDICT_MET}, /* two walls, no room */
+        {"crushed", "position_based", VERDICT_MET},
+        {"stopping", "projective_dynamics", VERDICT_MET},
+        {"struck", "shell_2", VERDICT_MET},
+        {"struck", "mass_spring", VERDICT_MET},
+        {"struck", "projective_dynamics", VERDICT_MET},
+        {"struck", "position_based", VERDICT_MET},
+        {"thrown_at_ball", "triangles", VERDICT_MET},
+        {"pressed_fold", "mass_spring_leapfrog", VERDICT_MET},
+        {"thick_contact", "triangles", VERDICT_MET},
+        {"friction_0", "shell_2", VERDICT_MET},
+        {"friction_5", "position_based", VERDICT_MET},
+        {"needles", "mass_spring", VERDICT_MET},
+        {"flat_triangle", "iga_nonlinear", VERDICT_NOT_APPLICABLE},
     };
 
     for (size_t n = 0; n < sizeof known / sizeof *known; n++)
@@ -155,7 +155,7 @@ static void check_runs(const char *folder)
 static void check_parabola(const char *folder)
 {
     const double TOL_SHEAR = 1e-3;
-    const double error = check_run(folder, "one_element", "iga_paper", VERIFY_MISSED);
+    const double error = check_run(folder, "one_element", "iga_paper", VERDICT_MISSED);
 
     CHECK_NEAR(error, 1 / 3., TOL_SHEAR);
 }

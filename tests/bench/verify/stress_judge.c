@@ -74,7 +74,7 @@ static void check_plate(void)
     begin();
     struct verify_row r = judge(&c);
     CHECK_RELATIVE(r.error, resting / sag + 1, tol_plate); /* it rises */
-    CHECK(r.verdict == VERIFY_MISSED && isnan(r.until) && !strcmp(script_log, "I"));
+    CHECK(r.verdict == VERDICT_MISSED && isnan(r.until) && !strcmp(script_log, "I"));
     other.equilibrium = NULL; /* then it moves to the end */
     r = judge(&c);
     CHECK_RELATIVE(r.error, FRAMES * rise / sag + 1, tol_plate);
@@ -133,11 +133,11 @@ static void check_similar(void)
     begin();
     other.advance = die_when_short;
     const struct verify_row r = judge(&c);
-    CHECK(r.verdict == VERIFY_DIED && isnan(r.error));
+    CHECK(r.verdict == VERDICT_DIED && isnan(r.error));
     CHECK_NEAR(r.until, 4 * step, tol); /* in the case's seconds */
     begin();
     script.create = STATUS_UNSUPPORTED, script.refuse_after = 1;
-    CHECK(judge(&c).verdict == VERIFY_NOT_APPLICABLE);
+    CHECK(judge(&c).verdict == VERDICT_NOT_APPLICABLE);
 }
 
 static void energy_won(const void *state, struct energy *energy)
@@ -168,9 +168,9 @@ static void check_energy(void)
         CHECK_NEAR(r.until, 3 * step, tol);
     }
     begin(); /* of two parts, one is not known; none is */
-    CHECK(judge(&c).verdict == VERIFY_NOT_APPLICABLE);
+    CHECK(judge(&c).verdict == VERDICT_NOT_APPLICABLE);
     other.energy = NULL;
-    CHECK(judge(&c).verdict == VERIFY_NOT_APPLICABLE);
+    CHECK(judge(&c).verdict == VERDICT_NOT_APPLICABLE);
 }
 
 /* Checks the truths that are the rest shape and a number. */
@@ -208,7 +208,7 @@ static void check_shapes(void)
     }
     begin();
     other.equilibrium = NULL;
-    CHECK(judge(&known[2].c).verdict == VERIFY_NOT_APPLICABLE);
+    CHECK(judge(&known[2].c).verdict == VERDICT_NOT_APPLICABLE);
 }
 
 #define LID(z, more) "{plane: {point: [0,0," z "], normal: [0,0,-1]}" more "}"
@@ -311,10 +311,10 @@ static void check_needles(void)
                             .needles = -40};
 
     begin();
-    CHECK(judge(&c).verdict == VERIFY_NOT_APPLICABLE);
+    CHECK(judge(&c).verdict == VERDICT_NOT_APPLICABLE);
     c.needles = 40;
     c.physics[0] = "sheet={length: 2, width: 1.5, thickness: 0.03}";
-    CHECK(judge(&c).verdict == VERIFY_NOT_APPLICABLE);
+    CHECK(judge(&c).verdict == VERDICT_NOT_APPLICABLE);
 }
 
 /* Checks deaths, refusals and failures. */
@@ -331,17 +331,17 @@ static void check_ends(void)
         const struct stress_case *c;
         int dies;
         enum status create, equilibrium;
-        enum verify_verdict verdict;
+        enum verdict verdict;
         double time;
     } known[] = {
-        {&moves, 4, STATUS_OK, STATUS_OK, VERIFY_DIED, 0.02},
-        {&rests, 0, STATUS_OK, STATUS_DIVERGED, VERIFY_DIED, 0},
-        {&rests, 0, STATUS_OK, STATUS_UNSUPPORTED, VERIFY_NOT_APPLICABLE, NAN},
-        {&moves, 0, STATUS_UNSUPPORTED, STATUS_OK, VERIFY_NOT_APPLICABLE, NAN},
-        {&moves, 0, STATUS_INPUT, STATUS_OK, VERIFY_NOT_APPLICABLE, NAN},
-        {&moves, 0, STATUS_MEMORY, STATUS_OK, VERIFY_DIED, NAN},
-        {&wrong, 0, STATUS_OK, STATUS_OK, VERIFY_NOT_APPLICABLE, NAN},
-        {&shell, 0, STATUS_OK, STATUS_OK, VERIFY_NOT_APPLICABLE, NAN},
+        {&moves, 4, STATUS_OK, STATUS_OK, VERDICT_DIED, 0.02},
+        {&rests, 0, STATUS_OK, STATUS_DIVERGED, VERDICT_DIED, 0},
+        {&rests, 0, STATUS_OK, STATUS_UNSUPPORTED, VERDICT_NOT_APPLICABLE, NAN},
+        {&moves, 0, STATUS_UNSUPPORTED, STATUS_OK, VERDICT_NOT_APPLICABLE, NAN},
+        {&moves, 0, STATUS_INPUT, STATUS_OK, VERDICT_NOT_APPLICABLE, NAN},
+        {&moves, 0, STATUS_MEMORY, STATUS_OK, VERDICT_DIED, NAN},
+        {&wrong, 0, STATUS_OK, STATUS_OK, VERDICT_NOT_APPLICABLE, NAN},
+        {&shell, 0, STATUS_OK, STATUS_OK, VERDICT_NOT_APPLICABLE, NAN},
     };
 
     for (size_t n = 0; n < sizeof known / sizeof *known; n++) {
@@ -398,7 +398,7 @@ static void check_nets(void)
             contestant.degree = known[n].degree;
             c.field.along[0] = known[n].side;
             c.weight_ratio = weighted ? 10 : 0;
-            CHECK(judge(&c).verdict == VERIFY_MISSED);
+            CHECK(judge(&c).verdict == VERDICT_MISSED);
             CHECK(!strcmp(script_log, known[n].log));
             CHECK(weights == (weighted ? known[n].weights : 0) && rows_right == weights);
         }

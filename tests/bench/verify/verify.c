@@ -20,8 +20,8 @@ static const struct verify_field field = {.subject = entries};
 /* The script of the rows of `first`. */
 static struct {
     double value, truth, bar;
-    enum verify_verdict end; /* VERIFY_VERDICTS: it is judged                            */
-    enum status status;      /* of the check                                             */
+    enum verdict end;   /* VERDICTS: it is judged                            */
+    enum status status; /* of the check                                             */
 } script;
 
 static void add_first(struct verify_subject *s)
@@ -29,7 +29,7 @@ static void add_first(struct verify_subject *s)
     struct verify_row *row = verify_sheet_add(s, "tip");
 
     row->seconds = 2;
-    if (script.end == VERIFY_VERDICTS)
+    if (script.end == VERDICTS)
         verify_row_judge(row, script.value, script.truth, script.bar);
     else
         verify_row_end(row, script.end, "so it is");
@@ -86,7 +86,7 @@ static struct outcome command(const char *const *words)
 static struct outcome judge(double value, double truth, double bar)
 {
     script.value = value, script.truth = truth, script.bar = bar;
-    script.end = VERIFY_VERDICTS;
+    script.end = VERDICTS;
     return COMMAND("first", "--out", folder);
 }
 
@@ -136,11 +136,11 @@ static void check_ended(void)
 {
     static const struct {
         const char *counts;
-        enum verify_verdict end;
-    } ends[] = {{"0 0 0 0 0 3 3", VERIFY_DIED},
-                {"0 0 0 3 0 0 3", VERIFY_OUT_OF_RANGE},
-                {"0 0 0 0 3 0 3", VERIFY_NOT_APPLICABLE},
-                {"0 0 3 0 0 0 3", VERIFY_NO_CLAIM}};
+        enum verdict end;
+    } ends[] = {{"0 0 0 0 0 3 3", VERDICT_DIED},
+                {"0 0 0 3 0 0 3", VERDICT_OUT_OF_RANGE},
+                {"0 0 0 0 3 0 3", VERDICT_NOT_APPLICABLE},
+                {"0 0 3 0 0 0 3", VERDICT_NO_CLAIM}};
 
     for (size_t n = 0; n < sizeof ends / sizeof *ends; n++) {
         script.end = ends[n].end;
@@ -154,7 +154,7 @@ static void check_ended(void)
 /* Sums over several checks, one failure among them, and who is run at all. */
 static void check_several(void)
 {
-    script.end = VERIFY_VERDICTS, script.value = 1.1, script.truth = 1;
+    script.end = VERDICTS, script.value = 1.1, script.truth = 1;
     struct outcome o = COMMAND("first", "second", "first", "--out", folder);
 
     CHECK(o.status == STATUS_FAILED && counts(&o, "all", "4 2 3 0 0 0 9"));
@@ -175,7 +175,7 @@ static void check_several(void)
 /* The numbers of a row; and again, the same, from the file, without a run. */
 static void check_printed(void)
 {
-    script.end = VERIFY_VERDICTS, script.value = 1.25, script.truth = 1, script.bar = 0.125;
+    script.end = VERDICTS, script.value = 1.25, script.truth = 1, script.bar = 0.125;
     struct outcome o = COMMAND("first", "--out", folder);
     char *printed = strdup(o.text);
 
@@ -219,7 +219,7 @@ static void check_misses(void)
 
         REQUIRE(list && fputs(cases[n / 2].list, list) >= 0);
         rewind(list);
-        script.end = VERIFY_VERDICTS, script.value = 1.02, script.truth = 1, script.bar = 0;
+        script.end = VERDICTS, script.value = 1.02, script.truth = 1, script.bar = 0;
         verify_check_run(&first, &sheet);
         verify_row_judge(&sheet.rows[1], 1, 1, 0);
         CHECK(known_misses_wrong(&sheet, "first", list, quick) ==

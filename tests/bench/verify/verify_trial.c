@@ -49,19 +49,19 @@ static void reset(void)
 static const struct ending {
     enum status create, equilibrium;
     double tolerance;
-    enum verify_verdict verdict;
+    enum verdict verdict;
     enum status sheet;
     bool noted; /* in the row */
 } endings[] = {
-    {STATUS_OK, STATUS_OK, 0.1, VERIFY_NOT_APPLICABLE, STATUS_OK, false}, /* not judged */
-    {STATUS_UNSUPPORTED, 0, 0.1, VERIFY_NOT_APPLICABLE, STATUS_OK, true},
-    {STATUS_INDEFINITE, 0, 0.1, VERIFY_DIED, STATUS_OK, true},
-    {STATUS_INPUT, 0, NAN, VERIFY_NOT_APPLICABLE, STATUS_OK, true},
-    {STATUS_INPUT, 0, 0.1, VERIFY_NOT_APPLICABLE, STATUS_INPUT, false},
-    {STATUS_LIBRARY, 0, NAN, VERIFY_NOT_APPLICABLE, STATUS_LIBRARY, false},
-    {0, STATUS_DIVERGED, 0.1, VERIFY_DIED, STATUS_OK, true},
-    {0, STATUS_UNSUPPORTED, 0.1, VERIFY_NOT_APPLICABLE, STATUS_OK, true},
-    {0, STATUS_MEMORY, 0.1, VERIFY_NOT_APPLICABLE, STATUS_MEMORY, false},
+    {STATUS_OK, STATUS_OK, 0.1, VERDICT_NOT_APPLICABLE, STATUS_OK, false}, /* not judged */
+    {STATUS_UNSUPPORTED, 0, 0.1, VERDICT_NOT_APPLICABLE, STATUS_OK, true},
+    {STATUS_INDEFINITE, 0, 0.1, VERDICT_DIED, STATUS_OK, true},
+    {STATUS_INPUT, 0, NAN, VERDICT_NOT_APPLICABLE, STATUS_OK, true},
+    {STATUS_INPUT, 0, 0.1, VERDICT_NOT_APPLICABLE, STATUS_INPUT, false},
+    {STATUS_LIBRARY, 0, NAN, VERDICT_NOT_APPLICABLE, STATUS_LIBRARY, false},
+    {0, STATUS_DIVERGED, 0.1, VERDICT_DIED, STATUS_OK, true},
+    {0, STATUS_UNSUPPORTED, 0.1, VERDICT_NOT_APPLICABLE, STATUS_OK, true},
+    {0, STATUS_MEMORY, 0.1, VERDICT_NOT_APPLICABLE, STATUS_MEMORY, false},
 };
 
 static void check_endings(void)
@@ -127,7 +127,7 @@ static void check_motion(void)
     script.dies = 4, script.death = STATUS_INVERTED;
     t = verify_trial_of(&s, SCENE, "tip");
     CHECK(!verify_trial_motion(&t, 3, time, 2, uvw[0], xyz[0][0]) && !t.lived);
-    CHECK(t.row->verdict == VERIFY_DIED && strstr(t.row->note, "at 0.02 s"));
+    CHECK(t.row->verdict == VERDICT_DIED && strstr(t.row->note, "at 0.02 s"));
     CHECK(sheet.status == STATUS_OK);
 }
 
@@ -149,7 +149,7 @@ static void check_modes(void)
         counted.modes = NULL;
         struct verify_trial t = verify_trial_of(&s, SCENE, "omega");
         CHECK(!verify_trial_modes(&t, settled, 2, omega) && !t.lived);
-        CHECK(t.row->verdict == VERIFY_NOT_APPLICABLE && *t.row->note);
+        CHECK(t.row->verdict == VERDICT_NOT_APPLICABLE && *t.row->note);
         reset();
         counted.modes = modes;
         t = verify_trial_of(&s, SCENE, "omega");
@@ -158,7 +158,7 @@ static void check_modes(void)
         reset();
         script.death = STATUS_INDEFINITE;
         t = verify_trial_of(&s, SCENE, "omega");
-        CHECK(!verify_trial_modes(&t, settled, 2, omega) && t.row->verdict == VERIFY_DIED);
+        CHECK(!verify_trial_modes(&t, settled, 2, omega) && t.row->verdict == VERDICT_DIED);
     }
 }
 
@@ -184,7 +184,7 @@ static void check_nets(void)
     reset();
     struct verify_trial t = verify_trial_of(&s, SCENE, "w");
     CHECK(verify_trial_nets(&t, value_of, value, -4, 0));
-    CHECK(t.row->value == -4.05 && t.row->truth == -4 && t.row->verdict == VERIFY_MET);
+    CHECK(t.row->value == -4.05 && t.row->truth == -4 && t.row->verdict == VERDICT_MET);
     CHECK_NEAR(t.row->error, 0.0125, TINY);
     CHECK_NEAR(t.row->order, 4, 1e-9);
     CHECK(!strcmp(script_log, "CF"));
@@ -195,7 +195,7 @@ static void check_nets(void)
     t = verify_trial_of(&s, SCENE, "w");
     CHECK(verify_trial_nets(&t, value_of, error, NAN, 0.007) && isnan(t.row->order));
     t = verify_trial_of(&s, SCENE, "w");
-    CHECK(!verify_trial_nets(&t, value_of, dead, 1, 0) && t.row->verdict == VERIFY_DIED);
+    CHECK(!verify_trial_nets(&t, value_of, dead, 1, 0) && t.row->verdict == VERDICT_DIED);
 }
 
 /* The worst of several numbers is judged, with its own order; NaN stays. */
@@ -206,15 +206,15 @@ static void check_worst(void)
 
     reset();
     struct verify_trial t = verify_trial_of(&s, SCENE, "w");
-    CHECK(verify_trial_worst(&t, 5, 4, errors[0], 0.001) && t.row->verdict == VERIFY_MET);
+    CHECK(verify_trial_worst(&t, 5, 4, errors[0], 0.001) && t.row->verdict == VERDICT_MET);
     CHECK_NEAR(t.row->order, 3, 1e-9);
     CHECK(!verify_trial_worst(&t, 6, 7, errors[1], 0.002) && t.row->value == 5);
     CHECK(verify_trial_worst(&t, 8, 9, errors[2], 0.003) &&
-          t.row->verdict == VERIFY_MISSED);
+          t.row->verdict == VERDICT_MISSED);
     CHECK(t.row->value == 8 && t.row->truth == 9 && t.row->bar == 0.003);
     CHECK_NEAR(t.row->order, 1, 1e-9);
     CHECK(verify_trial_worst(&t, 1, 1, errors[3], 0) && isnan(t.row->error));
-    CHECK(!verify_trial_worst(&t, 8, 9, errors[2], 0) && t.row->verdict == VERIFY_MISSED);
+    CHECK(!verify_trial_worst(&t, 8, 9, errors[2], 0) && t.row->verdict == VERDICT_MISSED);
 }
 
 /* --- Refinement: what is held against what, in which order. */
@@ -276,12 +276,12 @@ static void check_refine(void)
     CHECK_NEAR(field[2], 8 * MILLI, TINY); /* the finest run's */
     CHECK(!strcmp(script_log, "FffffffffCccccccccFffffFff"));
     const struct verify_row *row = sheet.rows;
-    CHECK(!strcmp(row[0].quantity, "swing") && row[0].verdict == VERIFY_MET);
+    CHECK(!strcmp(row[0].quantity, "swing") && row[0].verdict == VERDICT_MET);
     CHECK(row[0].error == 0.01 && row[0].bar == 0.001);
     CHECK_NEAR(row[0].order, 3, 1e-9);
     CHECK(!strcmp(row[0].note, "error on 4x2: 0.08"));
     CHECK(!strcmp(row[1].quantity, "swing: change by step 5 to 2.5 ms"));
-    CHECK(row[1].verdict == VERIFY_NO_CLAIM && row[1].error == 0.002);
+    CHECK(row[1].verdict == VERDICT_NO_CLAIM && row[1].error == 0.002);
     CHECK_NEAR(row[1].order, 3, 1e-9);
     CHECK(!strcmp(row[1].note, "error with 5 ms: 0.03; error with 10 ms: 0.05"));
 }
@@ -295,25 +295,25 @@ static void check_refine_ends(void)
 
     reset();
     CHECK(verify_trial_refine(&s, &r, "swing") && sheet.count == 1);
-    CHECK(sheet.rows[0].verdict == VERIFY_MISSED && measured.calls == 2);
+    CHECK(sheet.rows[0].verdict == VERDICT_MISSED && measured.calls == 2);
     r = plan(1, NULL);
     r.beyond = "too far";
     reset();
     CHECK(verify_trial_refine(&s, &r, "swing"));
-    CHECK(sheet.rows[0].verdict == VERIFY_OUT_OF_RANGE && sheet.rows[0].error == 0.01);
+    CHECK(sheet.rows[0].verdict == VERDICT_OUT_OF_RANGE && sheet.rows[0].error == 0.01);
     r = plan(2, NULL);
     reset();
     script.dies = 8, script.death = STATUS_NAN;
     CHECK(!verify_trial_refine(&s, &r, "swing") && sheet.count == 1);
-    CHECK(sheet.rows[0].verdict == VERIFY_DIED && measured.calls == 0);
+    CHECK(sheet.rows[0].verdict == VERDICT_DIED && measured.calls == 0);
     verify_subject_last(&s, 1);
     r = plan(2, NULL);
     r.step = 0.005;
     reset();
     script.create = STATUS_INDEFINITE, script.refuse_after = 1;
     CHECK(verify_trial_refine(&s, &r, "swing") && sheet.count == 2);
-    CHECK(sheet.rows[1].verdict == VERIFY_NOT_APPLICABLE && *sheet.rows[1].note);
-    CHECK(sheet.rows[0].verdict == VERIFY_MISSED && isnan(sheet.rows[0].order));
+    CHECK(sheet.rows[1].verdict == VERDICT_NOT_APPLICABLE && *sheet.rows[1].note);
+    CHECK(sheet.rows[0].verdict == VERDICT_MISSED && isnan(sheet.rows[0].order));
 }
 
 int main(void)

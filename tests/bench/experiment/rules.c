@@ -1,5 +1,5 @@
 /* Verdicts: rules are read, refused at their line, and applied the same to every case. */
-#include "bench/experiment/verdict.h"
+#include "bench/experiment/rules.h"
 
 #include "bench/experiment/judge.h"
 #include "bench/harness/run_result.h"
@@ -12,14 +12,13 @@ static const char good[] =
     "- {label: over-stretched, measure: drop_end, above: 1.2, why: the same}\n"
     "- {label: won energy, measure: energy_drift_max, above: 0.1, why: no motor}\n";
 
-static enum status read_rules(const char *text, struct verdict_rules *rules,
-                              struct message *why)
+static enum status read_rules(const char *text, struct rules *rules, struct message *why)
 {
     struct yaml_tree *tree = NULL;
 
     REQUIRE(yaml_tree_parse("rules.yaml", false, text, strlen(text), &tree, why) ==
             STATUS_OK);
-    enum status st = verdict_read(tree, rules, why);
+    enum status st = rules_read(tree, rules, why);
     yaml_tree_free(tree);
     return st;
 }
@@ -43,7 +42,7 @@ static const struct judged {
         enum measure measure;
         double value;
     } with[3];
-    enum verdict_kind kind;
+    enum verdict kind;
     const char *text, *has, *lacks; /* labels it has; labels that nobody can say         */
 } judged[] = {
     /* clang-format off */
@@ -91,7 +90,7 @@ static void test_verdicts(void)
 {
     static const char *const labels[] = {"over-stretched", "penetration", "chaotic",
                                          "won energy"};
-    struct verdict_rules rules;
+    struct rules rules;
 
     REQUIRE(read_rules(good, &rules, NULL) == STATUS_OK && rules.count == 5);
     for (size_t n = 0; n < sizeof judged / sizeof *judged; n++) {
@@ -104,47 +103,47 @@ static void test_verdicts(void)
         for (int i = 0; i < 3; i++)
             if (j->with[i].value != 0)
                 r.value[j->with[i].measure] = j->with[i].value;
-        const struct verdict v = verdict_of(&rules, &r);
+        const struct ruling v = rules_of(&rules, &r);
         bool fine = v.kind == j->kind && v.quick == j->quick;
-        fine = fine && !strcmp(verdict_text(&rules, v, text, sizeof text), j->text);
+        fine = fine && !strcmp(rules_text(&rules, v, text, sizeof text), j->text);
         for (int i = 0; i < 4; i++) {
-            fine = fine && verdict_has(&rules, v, labels[i]) == !!strstr(j->has, labels[i]);
-            fine = fine &&
-                   verdict_lacks(&rules, v, labels[i]) == !!strstr(j->lacks, labels[i]);
+            fine = fine && rules_has(&rules, v, labels[i]) == !!strstr(j->has, labels[i]);
+            fine =
+                fine && rules_lacks(&rules, v, labels[i]) == !!strstr(j->lacks, labels[i]);
         }
         if (!CHECK(fine))
             printf("  row %zu: '%s', want '%s'\n", n, text, j->text);
     }
-    verdict_clear(&rules);
+    rules_clear(&rules);
     CHECK(rules.count == 0);
 }
 
 /* A case without rules is not feasible; a death stays one. */
 static void test_no_rules(void)
 {
-    const struct verdict_rules none = {0};
+    const struct rules none = {0};
     struct run_result r = sound();
     char text[64];
 
     r.outcome = STATUS_OK;
-    const struct verdict lived = verdict_of(&none, &r);
+    const struct ruling lived = rules_of(&none, &r);
     CHECK(lived.kind == VERDICT_UNJUDGED);
-    CHECK(!strcmp(verdict_text(&none, lived, text, sizeof text), "not judged: no rules"));
+    CHECK(!strcmp(rules_text(&none, lived, text, sizeof text), "not judged: no rules"));
     r.outcome = STATUS_NAN;
-    const struct verdict died = verdict_of(&none, &r);
+    const struct ruling died = rules_of(&none, &r);
     CHECK(died.kind == VERDICT_INFEASIBLE);
-    CHECK(!strcmp(verdict_text(&none, died, text, sizeof text), "died"));
+    CHECK(!strcmp(rules_text(&none, died, text, sizeof text), "died"));
 }
 
 static void test_rules(void)
 {
-    struct verdict_rules rules;
+    struct rules rules;
 
     REQUIRE(read_rules(good, &rules, NULL) == STATUS_OK && rules.count == 5);
     CHECK(rules.rule[0].measure == MEASURE_STRETCH_MAX && rules.rule[0].above);
     CHECK(rules.rule[1].bound == 1000 && !rules.rule[1].above);
     CHECK(!strcmp(rules.rule[2].why, "it died"));
-    verdict_clear(&rules);
+    rules_clear(&rules);
 }
 
 static void test_refusals(void)
@@ -162,7 +161,7 @@ static void test_refusals(void)
         "- {label: x, measur: stretch_max, above: 1, why: y}",
         "- {label: x, measure: drop_max, above: 1, why: y}\n- {label: z}",
     };
-    struct verdict_rules rules;
+    struct rules rules;
 
     for (size_t n = 0; n < sizeof bad / sizeof *bad; n++) {
         struct message why = {""};
@@ -178,41 +177,44 @@ static const struct {
     double value[4];
     int count, sign;
     double bar;
-    enum judge turn;
+    enum verdict turn;
 } orders[] = {
     /* clang-format off */
-    {{1, 2, 3, 4}, 4, 1, 0, JUDGE_HOLDS}, {{4, 3, 2, 1}, 4, 1, 0, JUDGE_FAILS},
-    {{4, 3, 2, 1}, 4, -1, 0, JUDGE_HOLDS}, {{1, 2, 3, 4}, 4, -1, 0, JUDGE_FAILS},
-    {{1, 2, 2, 4}, 4, 1, 0, JUDGE_FAILS}, /* no more is not more */
-    {{1, 2, 3, 3}, 4, 1, 0, JUDGE_FAILS}, {{1, 2, 3, 2}, 3, 1, 0, JUDGE_HOLDS},
+    {{1, 2, 3, 4}, 4, 1, 0, VERDICT_HOLDS}, {{4, 3, 2, 1}, 4, 1, 0, VERDICT_FAILS},
+    {{4, 3, 2, 1}, 4, -1, 0, VERDICT_HOLDS}, {{1, 2, 3, 4}, 4, -1, 0, VERDICT_FAILS},
+    {{1, 2, 2, 4}, 4, 1, 0, VERDICT_FAILS}, /* no more is not more */
+    {{1, 2, 3, 3}, 4, 1, 0, VERDICT_FAILS}, {{1, 2, 3, 2}, 3, 1, 0, VERDICT_HOLDS},
     /* the fourth is not asked for */
-    {{1, NAN, 3, 4}, 4, 1, 0, JUDGE_OPEN}, {{NAN, 2, 3, 4}, 4, 1, 0, JUDGE_OPEN},
-    {{1, 2, 3, NAN}, 4, 1, 0, JUDGE_OPEN}, {{3, NAN, 1, 4}, 4, 1, 0, JUDGE_FAILS},
+    {{1, NAN, 3, 4}, 4, 1, 0, VERDICT_OPEN}, {{NAN, 2, 3, 4}, 4, 1, 0, VERDICT_OPEN},
+    {{1, 2, 3, NAN}, 4, 1, 0, VERDICT_OPEN}, {{3, NAN, 1, 4}, 4, 1, 0, VERDICT_FAILS},
     /* across the one that is missing */
-    {{NAN, 3, 1, 4}, 4, 1, 0, JUDGE_FAILS}, {{NAN, NAN}, 2, 1, 0, JUDGE_OPEN},
-    {{1, 1.2, 1.4}, 3, 1, 0.1, JUDGE_HOLDS}, {{1, 1.2, 1.25}, 3, 1, 0.1, JUDGE_OPEN},
+    {{NAN, 3, 1, 4}, 4, 1, 0, VERDICT_FAILS}, {{NAN, NAN}, 2, 1, 0, VERDICT_OPEN},
+    {{1, 1.2, 1.4}, 3, 1, 0.1, VERDICT_HOLDS}, {{1, 1.2, 1.25}, 3, 1, 0.1, VERDICT_OPEN},
     /* within the bar */
-    {{1, 1.2, 1.15}, 3, 1, 0.1, JUDGE_OPEN}, {{1, 1.2, 1.2}, 3, 1, 0.1, JUDGE_OPEN},
-    {{1, 1.2, 1.05}, 3, 1, 0.1, JUDGE_FAILS}, {{1.05, 1, 1.3, 1.1}, 4, 1, 0.1, JUDGE_FAILS},
+    {{1, 1.2, 1.15}, 3, 1, 0.1, VERDICT_OPEN}, {{1, 1.2, 1.2}, 3, 1, 0.1, VERDICT_OPEN},
+    {{1, 1.2, 1.05}, 3, 1, 0.1, VERDICT_FAILS}, {{1.05, 1, 1.3, 1.1}, 4, 1, 0.1, VERDICT_FAILS},
     /* what is settled stays so */
-    {{1, 2, 3}, 3, 1, NAN, JUDGE_OPEN}, {{3, 2, 1}, 3, 1, NAN, JUDGE_OPEN},
-    {{1}, 1, 1, 0, JUDGE_OPEN}, /* nothing to compare with */
+    {{1, 2, 3}, 3, 1, NAN, VERDICT_OPEN}, {{3, 2, 1}, 3, 1, NAN, VERDICT_OPEN},
+    {{1}, 1, 1, 0, VERDICT_OPEN}, /* nothing to compare with */
     /* clang-format on */
 };
 
 static const struct {
     double value, bound;
-    enum judge turn;
-} bounds[] = {{1, 2, JUDGE_HOLDS},       {2, 1, JUDGE_FAILS},  {1, 1, JUDGE_FAILS},
-              {NAN, 1, JUDGE_OPEN},      {1, NAN, JUDGE_OPEN}, {-2, -1, JUDGE_HOLDS},
-              {1, INFINITY, JUDGE_HOLDS}};
+    enum verdict turn;
+} bounds[] = {{1, 2, VERDICT_HOLDS},       {2, 1, VERDICT_FAILS},  {1, 1, VERDICT_FAILS},
+              {NAN, 1, VERDICT_OPEN},      {1, NAN, VERDICT_OPEN}, {-2, -1, VERDICT_HOLDS},
+              {1, INFINITY, VERDICT_HOLDS}};
 
 /* Two judgements, in either order, and the joint one. */
-static const enum judge both[][3] = {
-    {JUDGE_HOLDS, JUDGE_HOLDS, JUDGE_HOLDS}, {JUDGE_HOLDS, JUDGE_FAILS, JUDGE_FAILS},
-    {JUDGE_HOLDS, JUDGE_OPEN, JUDGE_OPEN},   {JUDGE_FAILS, JUDGE_OPEN, JUDGE_FAILS},
-    {JUDGE_FAILS, JUDGE_FAILS, JUDGE_FAILS}, {JUDGE_OPEN, JUDGE_OPEN, JUDGE_OPEN},
-    {JUDGE_HOLDS, JUDGE_QUICK, JUDGE_QUICK}, {JUDGE_FAILS, JUDGE_QUICK, JUDGE_FAILS}};
+static const enum verdict both[][3] = {{VERDICT_HOLDS, VERDICT_HOLDS, VERDICT_HOLDS},
+                                       {VERDICT_HOLDS, VERDICT_FAILS, VERDICT_FAILS},
+                                       {VERDICT_HOLDS, VERDICT_OPEN, VERDICT_OPEN},
+                                       {VERDICT_FAILS, VERDICT_OPEN, VERDICT_FAILS},
+                                       {VERDICT_FAILS, VERDICT_FAILS, VERDICT_FAILS},
+                                       {VERDICT_OPEN, VERDICT_OPEN, VERDICT_OPEN},
+                                       {VERDICT_HOLDS, VERDICT_QUICK, VERDICT_QUICK},
+                                       {VERDICT_FAILS, VERDICT_QUICK, VERDICT_FAILS}};
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 

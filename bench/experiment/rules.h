@@ -1,4 +1,4 @@
-/* verdict.h - gives a case labels by rules, which are data and the same for all of a plan.
+/* rules.h - gives a case labels by rules, which are data and the same for all of a plan.
  *
  * In a plan (YAML), under the key `verdicts`, a list of
  *
@@ -11,15 +11,16 @@
  * case is then not judged, unless another rule has found something. A time that did not
  * come is above every value and below none.
  */
-#ifndef VERDICT_H
-#define VERDICT_H
+#ifndef RULES_H
+#define RULES_H
 
+#include "bench/data/verdict.h"
 #include "bench/harness/run_result.h"
 #include "models/reader/yaml_tree.h"
 
-enum { VERDICT_MOST = 32 };
+enum { RULES_MOST = 32 };
 
-struct verdict_rule {
+struct rule {
     char *label; /* owned                                                              */
     int measure; /* enum measure                                                       */
     bool above;  /* matches if the measure is above `bound`; else below                */
@@ -27,31 +28,20 @@ struct verdict_rule {
     char *why; /* owned                                                              */
 };
 
-struct verdict_rules {
+struct rules {
     int count;
-    struct verdict_rule rule[VERDICT_MOST];
+    struct rule rule[RULES_MOST];
 };
 
-/* Reads the list. *rules is overwritten; free with verdict_clear. STATUS_INPUT with one
+/* Reads the list. *rules is overwritten; free with rules_clear. STATUS_INPUT with one
  * sentence `origin:line: ...`; *rules is then all-zero. */
-enum status verdict_read(const struct yaml_tree *list, struct verdict_rules *rules,
-                         struct message *why);
+enum status rules_read(const struct yaml_tree *list, struct rules *rules,
+                       struct message *why);
 
-void verdict_clear(struct verdict_rules *rules); /* all-zero is allowed */
+void rules_clear(struct rules *rules); /* all-zero is allowed */
 
-enum verdict_kind {
-    VERDICT_FEASIBLE,
-    VERDICT_INFEASIBLE,
-    VERDICT_UNJUDGED, /* no rule matches, but some had nothing to judge by             */
-    VERDICT_NONE, /* the model leaves out what the scene needs: nothing is known       */
-    VERDICT_KINDS
-};
-
-/* Words for programs: "feasible", "infeasible", "not judged", "none". */
-extern const char *const verdict_kind_word[VERDICT_KINDS];
-
-struct verdict {
-    enum verdict_kind kind;
+struct ruling {
+    enum verdict kind;
     unsigned rules;      /* bit n: rule n matches                                      */
     unsigned unmeasured; /* bit n: rule n had nothing to judge by                      */
     bool died;           /* infeasible even if no rule says so                         */
@@ -59,22 +49,20 @@ struct verdict {
 };
 
 /* Applies the rules to a result; one of a quick run is never judged. */
-struct verdict verdict_of(const struct verdict_rules *rules, const struct run_result *r);
+struct ruling rules_of(const struct rules *rules, const struct run_result *r);
 
 /* Writes into text[size], and returns, "feasible", "unsupported", "not judged: quick",
  * "not judged: no rules" or the labels, each once, in the order of the rules ("died" where
  * a run died and no rule has a word for it), and behind "not judged:" those that could not
  * be judged. */
-const char *verdict_text(const struct verdict_rules *rules, struct verdict verdict,
-                         char *text, int size);
+const char *rules_text(const struct rules *rules, struct ruling verdict, char *text,
+                       int size);
 
 /* Returns whether the case has this label, by any rule. */
-bool verdict_has(const struct verdict_rules *rules, struct verdict verdict,
-                 const char *label);
+bool rules_has(const struct rules *rules, struct ruling verdict, const char *label);
 
 /* Returns whether it is open if the case has this label: no rule gives it, and one that
  * could had nothing to judge by. */
-bool verdict_lacks(const struct verdict_rules *rules, struct verdict verdict,
-                   const char *label);
+bool rules_lacks(const struct rules *rules, struct ruling verdict, const char *label);
 
 #endif

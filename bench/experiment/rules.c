@@ -1,4 +1,4 @@
-#include "bench/experiment/verdict.h"
+#include "bench/experiment/rules.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -27,7 +27,7 @@ static const struct schema_key RULE[] = {
     {"why", "reason for the value", SCHEMA_TEXT, .required = true, IN(why)},
     {NULL}};
 
-static enum status read_rule(const struct yaml_tree *node, struct verdict_rule *rule,
+static enum status read_rule(const struct yaml_tree *node, struct rule *rule,
                              struct message *why)
 {
     struct reading r = {.above = NAN, .below = NAN};
@@ -37,11 +37,11 @@ static enum status read_rule(const struct yaml_tree *node, struct verdict_rule *
     if (isnan(r.above) == isnan(r.below))
         TRY(yaml_tree_refuse(node, why, "the verdict %s must have one of above and below",
                              yaml_tree_quote(r.label).text));
-    *rule = (struct verdict_rule){.label = r.label,
-                                  .measure = r.measure,
-                                  .above = isnan(r.below),
-                                  .bound = isnan(r.below) ? r.above : r.below,
-                                  .why = r.why};
+    *rule = (struct rule){.label = r.label,
+                          .measure = r.measure,
+                          .above = isnan(r.below),
+                          .bound = isnan(r.below) ? r.above : r.below,
+                          .why = r.why};
     r.label = r.why = NULL;
 out:
     free(r.label);
@@ -49,55 +49,48 @@ out:
     return st;
 }
 
-enum status verdict_read(const struct yaml_tree *list, struct verdict_rules *rules,
-                         struct message *why)
+enum status rules_read(const struct yaml_tree *list, struct rules *rules,
+                       struct message *why)
 {
     enum status st = STATUS_OK;
-    struct verdict_rules new = {0};
+    struct rules new = {0};
 
     *rules = new;
-    if (list->kind != YAML_TREE_LIST || list->count == 0 || list->count > VERDICT_MOST)
+    if (list->kind != YAML_TREE_LIST || list->count == 0 || list->count > RULES_MOST)
         return yaml_tree_refuse(list, why,
                                 "verdicts is %s, but must be a list of 1 to %d rules "
                                 "{label: ..., measure: ..., above: ..., why: ...}",
-                                yaml_tree_describe(list).text, VERDICT_MOST);
+                                yaml_tree_describe(list).text, RULES_MOST);
     for (const struct yaml_tree *node = list->first; node; node = node->next) {
         TRY(read_rule(node, &new.rule[new.count], why));
         new.count++;
     }
     *rules = new;
-    new = (struct verdict_rules){0};
+    new = (struct rules){0};
 out:
-    verdict_clear(&new);
+    rules_clear(&new);
     return st;
 }
 
-void verdict_clear(struct verdict_rules *rules)
+void rules_clear(struct rules *rules)
 {
     for (int n = 0; n < rules->count; n++) {
         free(rules->rule[n].label);
         free(rules->rule[n].why);
     }
-    *rules = (struct verdict_rules){0};
+    *rules = (struct rules){0};
 }
 
-const char *const verdict_kind_word[VERDICT_KINDS] = {
-    [VERDICT_FEASIBLE] = "feasible",
-    [VERDICT_INFEASIBLE] = "infeasible",
-    [VERDICT_UNJUDGED] = "not judged",
-    [VERDICT_NONE] = "none",
-};
-
-struct verdict verdict_of(const struct verdict_rules *rules, const struct run_result *r)
+struct ruling rules_of(const struct rules *rules, const struct run_result *r)
 {
-    struct verdict v = {.died = status_is_death(r->outcome)};
+    struct ruling v = {.died = status_is_death(r->outcome)};
 
     if (r->quick)
-        return (struct verdict){.kind = VERDICT_UNJUDGED, .quick = true};
+        return (struct ruling){.kind = VERDICT_UNJUDGED, .quick = true};
     if (r->outcome != STATUS_OK && !v.died)
-        return (struct verdict){.kind = VERDICT_NONE};
+        return (struct ruling){.kind = VERDICT_NONE};
     for (int n = 0; n < rules->count; n++) {
-        const struct verdict_rule *rule = &rules->rule[n];
+        const struct rule *rule = &rules->rule[n];
         const double value = r->value[rule->measure];
         if (isnan(value))
             v.unmeasured |= 1u << n;
@@ -111,7 +104,7 @@ struct verdict verdict_of(const struct verdict_rules *rules, const struct run_re
 }
 
 /* Returns whether a rule among these bits has the label. */
-static bool among(const struct verdict_rules *rules, unsigned bits, const char *label)
+static bool among(const struct rules *rules, unsigned bits, const char *label)
 {
     for (int n = 0; n < rules->count; n++)
         if (bits >> n & 1 && !strcmp(rules->rule[n].label, label))
@@ -119,18 +112,18 @@ static bool among(const struct verdict_rules *rules, unsigned bits, const char *
     return false;
 }
 
-bool verdict_has(const struct verdict_rules *rules, struct verdict v, const char *label)
+bool rules_has(const struct rules *rules, struct ruling v, const char *label)
 {
     return among(rules, v.rules, label);
 }
 
-bool verdict_lacks(const struct verdict_rules *rules, struct verdict v, const char *label)
+bool rules_lacks(const struct rules *rules, struct ruling v, const char *label)
 {
     return among(rules, v.unmeasured, label) && !among(rules, v.rules, label);
 }
 
 /* Adds the labels of these rules, each once, the first behind `before`; none of `but`. */
-static void add_labels(const struct verdict_rules *rules, unsigned bits, unsigned but,
+static void add_labels(const struct rules *rules, unsigned bits, unsigned but,
                        const char *before, char *text, int size)
 {
     for (int n = 0; n < rules->count; n++) {
@@ -144,15 +137,14 @@ static void add_labels(const struct verdict_rules *rules, unsigned bits, unsigne
     }
 }
 
-const char *verdict_text(const struct verdict_rules *rules, struct verdict v, char *text,
-                         int size)
+const char *rules_text(const struct rules *rules, struct ruling v, char *text, int size)
 {
     snprintf(text, (size_t)size, "%s",
-             v.kind == VERDICT_FEASIBLE                    ? "feasible"
+             v.kind == VERDICT_FEASIBLE                    ? verdict_word(v.kind)
              : v.kind == VERDICT_NONE                      ? "unsupported"
-             : v.quick                                     ? "not judged: quick"
+             : v.quick                                     ? verdict_word(VERDICT_QUICK)
              : v.kind == VERDICT_UNJUDGED && !rules->count ? "not judged: no rules"
-             : v.died && !v.rules                          ? "died"
+             : v.died && !v.rules                          ? verdict_word(VERDICT_DIED)
                                                            : "");
     add_labels(rules, v.rules, 0, "", text, size);
     add_labels(rules, v.unmeasured, v.rules,

@@ -116,6 +116,8 @@ struct maker {
     struct truth_push push;
     int pushed_side; /* points along of the finest net that was pushed                  */
     double spent;
+    struct truth before;    /* what all runs but the last one made                       */
+    enum truth_answer bars; /* what its bars said: TRUTH_MET, TRUTH_APART, or TRUTH_GO */
 };
 
 static double seconds_of(const struct run_result *r)
@@ -197,41 +199,49 @@ struct truth_outlook truth_make_look(const struct truth_family family[TRUTH_MODE
     return o;
 }
 
-/* Returns whether both models' own bars leave no room for their difference. */
-static bool are_apart(const struct truth_wish *wish, const struct truth_outlook *o)
+/* Returns what the bars say by themselves: that they are met, that they leave no room for
+ * the difference of the models, or TRUTH_GO. */
+static enum truth_answer read_bars(const struct truth_wish *wish,
+                                   const struct truth_outlook *o)
 {
     const struct truth_seen *m = o->model;
 
+    if (o->error <= wish->error && !isfinite(o->lost))
+        return TRUTH_MET;
     return m[0].runs && m[1].runs && o->difference > wish->error &&
-           m[0].bar + m[1].bar <= wish->error;
+                   m[0].bar + m[1].bar <= wish->error
+               ? TRUTH_APART
+               : TRUTH_GO;
 }
 
-/* Returns the model of the next run: where both bars are too large, the one whose finest
- * run took less time; else the one with the larger bar. */
+/* Returns the model of the next run: where both bars are too large, or have to outlive it,
+ * the one whose finest run took less time; else the one with the larger bar. */
 static enum truth_model choose(const struct truth_wish *wish, const struct truth_outlook *o)
 {
     const struct truth_seen *solid = &o->model[TRUTH_SOLID],
                             *shell = &o->model[TRUTH_SHELL];
-    const bool both = !solid->finest && !shell->finest && solid->bar > wish->error &&
-                      shell->bar > wish->error;
+    const bool tried = read_bars(wish, o) != TRUTH_GO;
 
     if (!solid->runs || !shell->runs)
         return solid->runs ? TRUTH_SOLID : TRUTH_SHELL;
-    if (both)
+    if (tried && solid->finest != shell->finest)
+        return solid->finest ? TRUTH_SHELL : TRUTH_SOLID;
+    if (tried || (!solid->finest && !shell->finest && solid->bar > wish->error &&
+                  shell->bar > wish->error))
         return solid->seconds < shell->seconds ? TRUTH_SOLID : TRUTH_SHELL;
     return solid->bar > shell->bar ? TRUTH_SOLID : TRUTH_SHELL;
 }
 
-/* Returns what comes next, with TRUTH_GO a run of that model. */
+/* Returns what comes next, with TRUTH_GO a run of that model. Bars of coarse nets may be
+ * too small, as both models have the same spans there: what they say has to outlive a run.
+ */
 static enum truth_answer decide(const struct truth_wish *wish,
                                 const struct truth_outlook *o, enum truth_model next)
 {
     if (isfinite(o->lost) && (!o->blunt || o->model[next].finest))
         return TRUTH_LOST;
-    if (o->error <= wish->error && !isfinite(o->lost))
-        return TRUTH_MET;
-    if (are_apart(wish, o))
-        return TRUTH_APART;
+    if (o->outlived)
+        return read_bars(wish, o);
     if (o->model[next].finest)
         return TRUTH_FINEST;
     return o->spent + o->model[next].seconds > wish->seconds ? TRUTH_DEAR : TRUTH_GO;
@@ -241,10 +251,13 @@ static void tell(const struct truth_wish *wish, const struct truth_outlook *o,
                  enum truth_answer answer, enum truth_model next, char text[TRUTH_END_TEXT])
 {
     const double wanted = 100 * wish->error, found = 100 * o->error;
-    char known[96];
+    const bool met = read_bars(wish, o) == TRUTH_MET && !o->outlived;
+    char known[128];
 
     if (o->known > 0)
-        snprintf(known, sizeof known, "known to %.3g %% up to %.3g s", wanted, o->known);
+        snprintf(known, sizeof known, "%sknown to %.3g %% up to %.3g s",
+                 met ? "if a finer run leaves it so, which none has shown, " : "", wanted,
+                 o->known);
     else
         snprintf(known, sizeof known, "known to %.3g %% at none of its times", wanted);
     switch (answer) {
@@ -254,8 +267,9 @@ static void tell(const struct truth_wish *wish, const struct truth_outlook *o,
         break;
     case TRUTH_GO:
         snprintf(text, TRUTH_END_TEXT,
-                 "after %.3g s the bar is %.2g %%, and %.3g %% was requested; next: %s",
-                 o->spent, found, wanted, next == TRUTH_SOLID ? "the solid" : "the shell");
+                 "after %.3g s the bar is %.2g %%, and %.3g %% was requested; next%s: %s",
+                 o->spent, found, wanted, met ? ", to see whether it stays so" : "",
+                 next == TRUTH_SOLID ? "the solid" : "the shell");
         break;
     case TRUTH_LOST:
         snprintf(text, TRUTH_END_TEXT,
@@ -386,6 +400,18 @@ static bool find_finer(const struct maker *k, int *run)
            k->spent + seconds_of(&f->run[*run]) <= k->wish->seconds;
 }
 
+/* Returns whether the last run moved the truth by no more than the bar that it had. */
+static bool is_within(const struct truth *before, const struct truth *made)
+{
+    double moved = 0, bar = 0;
+
+    for (int n = 0; n < made->times; n++) {
+        moved = fmax(moved, metric_rmse(before->xyz[n], made->xyz[n]));
+        bar = fmax(bar, before->error[n]);
+    }
+    return moved <= bar;
+}
+
 static struct truth_outlook look(struct maker *k, struct truth *made)
 {
     struct truth_outlook o;
@@ -394,6 +420,8 @@ static struct truth_outlook look(struct maker *k, struct truth *made)
     o = truth_make_look(k->family, &k->push, k->scene, k->runs->frame, made,
                         k->wish->error);
     o.spent = k->spent;
+    o.outlived = k->bars != TRUTH_GO && k->bars == read_bars(k->wish, &o) &&
+                 is_within(&k->before, made);
     return o;
 }
 
@@ -458,6 +486,10 @@ static enum status work(struct maker *k, struct truth *made, struct truth_outloo
                 return STATUS_OK;
             }
             TRY(st);
+            const struct truth older = k->before;
+            k->before = *made;
+            *made = older;
+            k->bars = read_bars(k->wish, o);
         } else if (end->answer != TRUTH_LOST && find_finer(k, &finer)) {
             TRY(push(k, pushed_family(k), finer, why));
         } else {
@@ -472,11 +504,12 @@ enum status truth_make(const struct truth_runs *runs, const struct scene *scene,
                        const struct truth_wish *wish, struct truth *made,
                        struct truth_end *end, struct message *why)
 {
-    struct maker k = {.runs = runs, .scene = scene, .wish = wish};
+    struct maker k = {.runs = runs, .scene = scene, .wish = wish, .bars = TRUTH_GO};
     struct truth_outlook o;
     enum status st;
 
     TRY(truth_init(made, runs->times, runs->times, runs->time));
+    TRY(truth_init(&k.before, runs->times, runs->times, runs->time));
     /* Nodes of a coarse net touch an obstacle one by one, in jumps that are the net's. */
     TRY(begin(&k, scene->obstacle_count ? LEAST_RUNS + 1 : LEAST_RUNS, why));
     const struct truth_family *f = pushed_family(&k);
@@ -489,6 +522,7 @@ out:
     for (int m = 0; m < TRUTH_MODELS; m++)
         truth_family_clear(&k.family[m]);
     run_result_clear(&k.pushed);
+    truth_clear(&k.before);
     if (st != STATUS_OK)
         truth_clear(made);
     return st;

@@ -117,6 +117,8 @@ struct truth_outlook {
     double growth;     /* there                                                        */
     bool blunt;        /* the run that shows it is no nearer to the truth, up to there, than
                           what is claimed: it does not say that the motion is lost     */
+    bool outlived;     /* the bars said the same before the last run, and that run moved the
+                          truth by no more than the bar that it had                         */
     double spent;      /* by all runs [s]                                              */
 };
 
@@ -150,16 +152,18 @@ enum status truth_make(const struct truth_runs *runs, const struct scene *scene,
 
 /* Sums up families of two runs at least (or none), a push of one of their runs and the
  * truth that truth_bar_judge made of them; `error` is the one wished for over the length.
- * `spent` is left 0. */
+ * `spent` and `outlived` are left 0. */
 struct truth_outlook truth_make_look(const struct truth_family family[TRUTH_MODELS],
                                      const struct truth_push *push,
                                      const struct scene *scene, double frame,
                                      const struct truth *made, double error);
 
 /* Returns what comes next, with TRUTH_GO a run of `next`: of two models whose bars are too
- * large the one whose finest run took less time, else the one with the larger bar. No run
- * is begun that the budget has no time for if it took as long as the one before it. Writes
- * the answer as a sentence, too. */
+ * large the one whose finest run took less time, else the one with the larger bar. What the
+ * bars say, that they are met or leave no room for the difference, has to outlive one more
+ * run of the cheaper model before it is the answer. No run is begun that the budget has no
+ * time for if it took as long as the one before it. Writes the answer as a sentence, too.
+ */
 enum truth_answer truth_make_judge(const struct truth_wish *wish,
                                    const struct truth_outlook *o, enum truth_model *next,
                                    char text[TRUTH_END_TEXT]);

@@ -182,8 +182,18 @@ static const struct row {
     enum truth_model next;
 } rows[] = {
     /* clang-format off */
-    /* {runs, bar, seconds, finest}, error, difference, known, lost, growth, blunt, spent */
-    {{{{3, .009, 1}, {3, .02, 1}}, .01, .01, .3, INFINITY}, TRUTH_MET, TRUTH_SHELL},
+    /* {runs, bar, seconds, finest}, error, difference, known, lost, growth, blunt,
+     * outlived, spent */
+    {{{{3, .009, 1}, {3, .02, 1}}, .01, .01, .3, INFINITY, .outlived = true}, TRUTH_MET,
+     TRUTH_SHELL},
+    {{{{3, .009, 1}, {3, .02, 2}}, .01, .01, .3, INFINITY}, TRUTH_GO, TRUTH_SOLID},
+    {{{{3, .02, 1}, {4, .009, .5}}, .01, .01, .3, INFINITY}, TRUTH_GO, TRUTH_SHELL},
+    {{{{9, .02, 1, true}, {4, .009, 2}}, .01, .01, .3, INFINITY}, TRUTH_GO, TRUTH_SHELL},
+    {{{{9, .02, 1, true}, {9, .009, 2, true}}, .01, .01, .3, INFINITY}, TRUTH_FINEST,
+     TRUTH_SOLID},
+    {{{{3, .009, 1}, {3, .02, 2}}, .01, .01, .3, INFINITY, .spent = 99.5}, TRUTH_DEAR,
+     TRUTH_SOLID},
+    {{{{0}, {3, .009, 1}}, .009, 0, .3, INFINITY}, TRUTH_GO, TRUTH_SHELL},
     {{{{3, .0101, 1}, {3, .01, 1}}, .0101, .01, .2, INFINITY, .spent = 5}, TRUTH_GO,
      TRUTH_SOLID},
     {{{{3, .02, 1}, {3, .03, 90}}, .02, 0, 0, INFINITY}, TRUTH_GO, TRUTH_SOLID},
@@ -194,7 +204,9 @@ static const struct row {
      TRUTH_SHELL},
     {{{{0}, {2, .03, 1}}, .03, 0, 0, INFINITY}, TRUTH_GO, TRUTH_SHELL},
     {{{{2, .03, 1}, {0}}, .03, 0, 0, INFINITY}, TRUTH_GO, TRUTH_SOLID},
-    {{{{3, .005, 1}, {3, .005, 1}}, .02, .02, .1, INFINITY}, TRUTH_APART, TRUTH_SHELL},
+    {{{{3, .005, 1}, {3, .005, 1}}, .02, .02, .1, INFINITY, .outlived = true}, TRUTH_APART,
+     TRUTH_SHELL},
+    {{{{3, .005, 1}, {3, .004, 2}}, .02, .02, .1, INFINITY}, TRUTH_GO, TRUTH_SOLID},
     {{{{3, .006, 1}, {3, .005, 1}}, .02, .02, .1, INFINITY}, TRUTH_GO, TRUTH_SOLID},
     {{{{9, .03, 1, true}, {3, .02, 1}}, .02, 0, .1, INFINITY}, TRUTH_FINEST, TRUTH_SOLID},
     {{{{3, .03, 1}, {9, .02, 1, true}}, .02, 0, .1, INFINITY}, TRUTH_GO, TRUTH_SOLID},
@@ -215,6 +227,9 @@ static void check_answers(void)
         const enum truth_answer answer = truth_make_judge(&wish, &rows[n].o, &next, text);
         if (!CHECK(answer == rows[n].answer && next == rows[n].next))
             printf("row %zu: answer %d, next %d; %s\n", n, (int)answer, (int)next, text);
+        const bool untried = rows[n].o.error <= wish.error && !isfinite(rows[n].o.lost) &&
+                             (answer == TRUTH_DEAR || answer == TRUTH_FINEST);
+        CHECK(!strstr(text, "which none has shown") == !untried);
     }
 }
 

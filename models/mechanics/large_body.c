@@ -70,18 +70,31 @@ static bool do_element(const struct task *t, int thread, int element)
     return true;
 }
 
+/* Returns whether an element of slab n fails. */
+static bool do_slab(const struct task *t, int thread, int n)
+{
+    bool bad = false;
+
+    for (int e = t->body->slab[n]; e < t->body->slab[n + 1]; e++)
+        bad |= !do_element(t, thread, e);
+    return bad;
+}
+
 static enum status do_all(const struct task *t)
 {
     const struct large_body *b = t->body;
+    const bool alone = b->threads == 1 || b->slabs <= 2; /* opening a region costs more than
+                                                            a small net's elements        */
     int slabs = b->slabs, bad = 0;
 
     for (int phase = 0; phase < 2; phase++) {
-#pragma omp parallel for schedule(static)                                                  \
-    num_threads(b->threads) if (b->threads > 1 && slabs > 2) reduction(|                   \
-                                                                       : bad)
+        for (int n = phase; alone && n < slabs; n += 2)
+            bad |= do_slab(t, 0, n);
+        if (alone)
+            continue;
+#pragma omp parallel for schedule(static) num_threads(b->threads) reduction(| : bad)
         for (int n = phase; n < slabs; n += 2)
-            for (int e = b->slab[n]; e < b->slab[n + 1]; e++)
-                bad |= !do_element(t, omp_get_thread_num(), e);
+            bad |= do_slab(t, omp_get_thread_num(), n);
     }
     if (!bad)
         return STATUS_OK;

@@ -25,7 +25,8 @@ static enum status refuse(const struct scene *scene, const struct discretization
                           struct message *why)
 {
     const struct spring_own *own = OWN(spring_own, d);
-    const bool momentum = d->integrator == INTEGRATOR_MOMENTUM;
+    const bool momentum = d->integrator == INTEGRATOR_MOMENTUM,
+               explicit = d->integrator == INTEGRATOR_EXPLICIT;
 
     if (d->precision == PRECISION_SINGLE && d->integrator != INTEGRATOR_LEAPFROG)
         return status_fail(why, STATUS_UNSUPPORTED,
@@ -37,21 +38,19 @@ static enum status refuse(const struct scene *scene, const struct discretization
     if (momentum && (d->iterations || d->tolerance > 0))
         return status_fail(why, STATUS_UNSUPPORTED,
                            "iterations, tolerance: not with integrator=momentum");
-    if (momentum && d->parameters == PARAMETERS_PAPER)
+    if ((momentum || explicit) && d->parameters == PARAMETERS_PAPER)
         return status_fail(why, STATUS_UNSUPPORTED,
-                           "parameters=paper, which has a drag of points: not with "
-                           "integrator=momentum");
+                           "parameters=paper, which has a drag of points: with "
+                           "integrator=implicit or leapfrog only");
     if (scene_needs(scene) & SCENE_NEED_SOFTENING && !momentum)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "softening: with integrator=momentum only, the others have "
                            "struts of constant force or a constant bending");
-    if (own->strain_limit > 0 && (momentum || d->integrator == INTEGRATOR_LEAPFROG))
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "strain_limit: with integrator=implicit or explicit only");
-    if (own->strain_limit > 0 && d->integrator != INTEGRATOR_EXPLICIT &&
-        contact_wanted(scene))
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "strain_limit: with contact with integrator=explicit only");
+    if (own->strain_limit > 0 &&
+        (d->integrator != INTEGRATOR_IMPLICIT || contact_wanted(scene)))
+        return status_fail(
+            why, STATUS_UNSUPPORTED,
+            "strain_limit: with integrator=implicit and without contact only");
     return STATUS_OK;
 }
 
@@ -84,17 +83,22 @@ static void size(const void *state, struct model_size *size)
     *size = system_size(m->march.graph ? &m->march.system : &none, "mid-surface points");
 }
 
-/* Describes the misfit of springs to plane stress, and the explicit method's limit. */
+/* Describes the misfit of springs to plane stress, and explicit steps. */
 static void describe(const void *state, struct message *line)
 {
     const struct spring_motion *m = state;
+    struct message steps = {{0}};
 
     spring_law_tell(&m->springs.law, m->net.mesh.cell, m->net.scene, line);
+    if (m->leapfrog)
+        snprintf(steps.text, sizeof steps.text,
+                 "explicit steps of %.3g s, stable below %.3g s about rest",
+                 spring_leapfrog_step(m->leapfrog), spring_leapfrog_limit(m->leapfrog));
+    else
+        march_describe(state, &steps);
     size_t end = strlen(line->text);
-    if (m->leapfrog || m->integrator == INTEGRATOR_EXPLICIT)
-        snprintf(line->text + end, sizeof line->text - end,
-                 "; explicit steps of %.3g s, stable below %.3g s about rest",
-                 m->leapfrog ? spring_leapfrog_step(m->leapfrog) : m->dt, m->limit);
+    if (*steps.text)
+        snprintf(line->text + end, sizeof line->text - end, "; %s", steps.text);
 }
 
 const struct model spring_model = {

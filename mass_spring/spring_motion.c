@@ -5,13 +5,7 @@
 #include <string.h>
 
 #include "models/mechanics/frames.h"
-#include "models/mechanics/frequency.h"
-#include "models/room.h"
 #include "models/vector.h"
-
-/* The share of the explicit method's greatest step that it chooses: springs that turn and
- * stretch are a little stiffer than at rest. */
-static const double LIMIT_SHARE = 0.8;
 
 /* Newton's tolerance, in rest lengths of the shortest spring. */
 static const double DEFAULT_TOLERANCE = 1e-6;
@@ -19,30 +13,9 @@ static const double DEFAULT_TOLERANCE = 1e-6;
 /* Tolerances of conjugate gradients: for a change that others follow, and for one alone. */
 static const double LINEAR_TOLERANCE = 1e-2, LAST_TOLERANCE = 1e-4;
 
-static size_t count_of(const struct spring_motion *m)
-{
-    return 3 * (size_t)m->net.mesh.nodes;
-}
-
 static bool in_squares(const struct spring_motion *m)
 {
     return m->integrator == INTEGRATOR_LEAPFROG || m->integrator == INTEGRATOR_MOMENTUM;
-}
-
-static bool marches(const struct spring_motion *m)
-{
-    return m->integrator == INTEGRATOR_IMPLICIT || m->integrator == INTEGRATOR_MOMENTUM;
-}
-
-static enum status allocate(struct spring_motion *m)
-{
-    const size_t count = count_of(m),
-                 pairs = (size_t)m->springs.graph.start[m->net.mesh.nodes];
-    const bool explicit = m->integrator == INTEGRATOR_EXPLICIT;
-
-    return room_cut(&m->room, ROOM(m->start, explicit ? count : 0),
-                    ROOM(m->f, explicit ? count : 0),
-                    ROOM(m->V, explicit && m->net.beta > 0 ? pairs : 0));
 }
 
 /* --- the march ------------------------------------------------------------------------ */
@@ -66,7 +39,9 @@ static enum status make_march(struct spring_motion *m, struct message *why)
 
     if (m->march.graph)
         return STATUS_OK;
-    if (!marches(m))
+    if (m->integrator == INTEGRATOR_EXPLICIT)
+        d.integrator = INTEGRATOR_LEAPFROG;
+    else if (!implicit)
         d.integrator = INTEGRATOR_MOMENTUM, d.substeps = 0, d.iterations = 0;
     if (!in_squares(m)) {
         d.newton = NEWTON_FULL; /* a tangent costs no more than two of its solutions */
@@ -75,7 +50,7 @@ static enum status make_march(struct spring_motion *m, struct message *why)
     }
     if (in_squares(m))
         TRY(spring_strips_init(&m->strips, &m->stencil));
-    else if (m->integrator != INTEGRATOR_EXPLICIT)
+    else
         TRY(spring_lengths_init(&m->lengths, &m->springs));
     m->march = (struct march){
         .body = in_squares(m) ? m->strips.body : m->lengths.body,
@@ -105,8 +80,7 @@ out:
     if (st != STATUS_OK) {
         march_clear(&m->march);
         spring_strips_clear(&m->strips);
-        if (m->integrator != INTEGRATOR_EXPLICIT)
-            spring_lengths_clear(&m->lengths);
+        spring_lengths_clear(&m->lengths);
     }
     return st;
 }
@@ -118,51 +92,14 @@ enum status spring_motion_rest(void *motion, struct counters *counters, struct m
 
     TRY(make_march(m, why));
     TRY(march_equilibrium(motion, counters, why));
-    spring_motion_place(m, m->march.time);
+    if (m->leapfrog)
+        spring_leapfrog_place(m->leapfrog, m->march.time);
 out:
     return st;
 }
 
-/* --- explicit steps ------------------------------------------------------------------- */
-
-/* Finds the largest angular frequency about rest. */
-static enum status rest_frequency(struct spring_motion *m, double *omega)
-{
-    const size_t pairs = (size_t)m->springs.graph.start[m->net.mesh.nodes];
-    double(*K)[9] = malloc(pairs * sizeof *K);
-
-    if (!K)
-        return STATUS_MEMORY;
-    spring_force_jacobian(&m->springs, m->net.mesh.rest, K);
-    const enum status st =
-        frequency_largest(&m->springs.graph, &m->net.supports, m->net.mass, NULL,
-                          (const double(*)[9])K, omega);
-    free(K);
-    return st;
-}
-
-static enum status make_explicit(struct spring_motion *m, const struct discretization *d,
-                                 struct message *why)
-{
-    enum status st;
-    double omega;
-
-    TRY(spring_lengths_init(&m->lengths, &m->springs));
-    TRY(rest_frequency(m, &omega));
-    m->limit = frequency_limit(omega, m->net.beta);
-    TRY(frequency_steps(m->net.scene->step, m->limit, LIMIT_SHARE, d->substeps,
-                        &m->substeps, why));
-    m->dt = m->net.scene->step / m->substeps;
-    TRY(net_meet(&m->net));
-    if (!m->net.contact)
-        return STATUS_OK;
-    m->net.contact->steps = m->substeps, m->net.contact->dt = m->dt;
-    for (int a = 0; a < m->net.mesh.nodes; a++)
-        m->net.contact->compliance[a] =
-            1 / (m->net.mass[a] / (m->dt * m->dt) + m->net.drag[a] / m->dt);
-out:
-    return st;
-}
+/* --- life ------------------------------------------------------------------------------
+ */
 
 /* Makes leapfrog's and momentum's net. */
 static enum status make_stencil(struct spring_motion *m, const struct discretization *d)
@@ -184,7 +121,6 @@ static enum status make_leapfrog(struct spring_motion *m, const struct discretiz
     const struct spring_body body = {.net = &m->net, .stencil = &m->stencil};
 
     TRY(spring_leapfrog_make(&body, d->precision, d->substeps, &m->leapfrog, why));
-    m->limit = spring_leapfrog_limit(m->leapfrog);
 out:
     return st;
 }
@@ -200,7 +136,6 @@ void spring_motion_clear(void *motion)
     spring_leapfrog_free(m->leapfrog);
     spring_net_clear(&m->springs);
     net_clear(&m->net);
-    free(m->room);
     memset(m, 0, sizeof *m);
 }
 
@@ -211,44 +146,19 @@ enum status spring_motion_init(struct spring_motion *m, const struct scene *scen
 
     *m = (struct spring_motion){.asked = d,
                                 .integrator = d->integrator,
-                                .dt = scene->step,
                                 .degree = (int[]){0, 2, 3}[OWN(spring_own, d)->surface],
                                 .strain_limit = OWN(spring_own, d)->strain_limit};
     TRY(net_init(&m->net, scene, d, why));
     TRY(spring_net_init(&m->springs, scene, &m->net.mesh, d->parameters, in_squares(m)));
-    TRY(allocate(m));
     if (in_squares(m))
         TRY(make_stencil(m, d));
-    TRY(marches(m)                             ? make_march(m, why)
-        : m->integrator == INTEGRATOR_LEAPFROG ? make_leapfrog(m, d, why)
-                                               : make_explicit(m, d, why));
+    TRY(m->integrator == INTEGRATOR_LEAPFROG ? make_leapfrog(m, d, why)
+                                             : make_march(m, why));
     m->rest_energy = spring_motion_elastic(m);
 out:
     if (st != STATUS_OK)
         spring_motion_clear(m);
     return st;
-}
-
-/* Takes a step to time t, v from the forces at the start, x from v. */
-static void step_explicit(struct spring_motion *m, double t, struct counters *counters)
-{
-    const size_t count = count_of(m);
-    double *f = m->f, dt = m->dt;
-
-    if (m->net.beta > 0) {
-        spring_force_clamped(&m->springs, m->net.x, m->lengths.hinges, m->V);
-        blocks_multiply(&m->springs.graph, (const double(*)[9])m->V, m->net.v, f);
-    }
-    for (size_t n = 0; n < count; n++)
-        f[n] = m->net.load[n] - (m->net.beta > 0 ? m->net.beta * f[n] : 0);
-    spring_force_add(&m->springs, m->net.x, f);
-    for (size_t n = 0; n < count; n++) {
-        double mass = m->net.mass[n / 3], drag = m->net.drag[n / 3];
-        m->net.x[n] += dt * (mass * m->net.v[n] + dt * f[n]) / (mass + dt * drag);
-    }
-    net_hold(&m->net, t);
-    counters->assemblies++;
-    counters->solves++;
 }
 
 /* --- Provot's inverse procedure (Provot 1995, section 4.2) -------------------------------
@@ -310,50 +220,11 @@ void spring_motion_limit(const struct spring_net *net, const struct supports *su
 /* --- steps ---------------------------------------------------------------------------
  */
 
-static enum status substep(struct spring_motion *m, struct counters *counters)
-{
-    enum status st;
-    const size_t count = count_of(m);
-    const double t = (double)(m->substep + 1) / m->substeps * m->net.scene->step;
-
-    memcpy(m->start, m->net.x, count * sizeof *m->net.x);
-    step_explicit(m, t, counters);
-    if (m->strain_limit > 0)
-        spring_motion_limit(&m->springs, &m->net.supports, m->strain_limit, m->net.x);
-    TRY(net_contact_project(m->net.contact, t, m->start, m->net.x));
-    for (size_t n = 0; n < count; n++) {
-        m->net.v[n] = (m->net.x[n] - m->start[n]) / m->dt;
-        if (!isfinite(m->net.v[n]))
-            st = STATUS_NAN;
-    }
-    m->substep++;
-out:
-    return st;
-}
-
-/* Computes v <- factor v, v that of half a step ago: the present forces bring it up to now
- * and back again, or modes near the limit that keep step with the frames would take energy
- * from the scaling. */
-static void scale_velocity(struct spring_motion *m, double factor)
-{
-    double *f = m->f;
-
-    if (factor == 1)
-        return;
-    memcpy(f, m->net.load, count_of(m) * sizeof *f);
-    spring_force_add(&m->springs, m->net.x, f);
-    for (size_t n = 0; n < count_of(m); n++) {
-        const double lag = m->dt / 2 * f[n] / m->net.mass[n / 3];
-        if (m->net.supports.free_index[n] >= 0)
-            m->net.v[n] = factor * (m->net.v[n] + lag) - lag;
-    }
-}
-
-/* Limits strains at the end of an implicit frame, whose velocity is that of the corrected
+/* Limits strains at the end of a frame, whose velocity is that of the corrected
  * points. */
 static void limit_frame(struct spring_motion *m, double *before)
 {
-    const size_t count = count_of(m);
+    const size_t count = 3 * (size_t)m->net.mesh.nodes;
 
     memcpy(before, m->net.x, count * sizeof *before);
     spring_motion_limit(&m->springs, &m->net.supports, m->strain_limit, m->net.x);
@@ -364,24 +235,17 @@ static void limit_frame(struct spring_motion *m, double *before)
 
 enum status spring_motion_step(void *motion, struct counters *counters)
 {
-    enum status st = STATUS_OK;
+    enum status st;
     struct spring_motion *m = motion;
 
-    if (marches(m)) {
-        TRY(march_step(motion, counters));
-        if (m->strain_limit > 0)
-            limit_frame(m, m->march.work);
-        return STATUS_OK;
-    }
-    m->march.rested = false;
-    counters->steps++;
-    if (m->leapfrog)
+    if (m->leapfrog) {
+        m->march.rested = false;
+        counters->steps++;
         return spring_leapfrog_frame(m->leapfrog, counters);
-    net_contact_frame(m->net.contact);
-    for (int n = 0; n < m->substeps; n++)
-        TRY(substep(m, counters));
-    scale_velocity(m, m->net.keep);
-    counters->substeps += m->substeps;
+    }
+    TRY(march_step(motion, counters));
+    if (m->strain_limit > 0)
+        limit_frame(m, m->march.work);
 out:
     return st;
 }
@@ -390,7 +254,7 @@ void spring_motion_contact(const void *motion, struct model_contact *contact)
 {
     const struct spring_motion *m = motion;
 
-    if (marches(m) || m->march.rested)
+    if (!m->leapfrog || m->march.rested)
         march_contact(motion, contact);
     else
         net_touches(&m->net, contact);
@@ -409,24 +273,12 @@ double spring_motion_elastic(const struct spring_motion *m)
                    : spring_force_energy(&m->springs, m->net.x);
 }
 
-void spring_motion_place(struct spring_motion *m, double t)
-{
-    if (marches(m)) {
-        march_still(&m->march, t);
-        return;
-    }
-    memset(m->net.v, 0, count_of(m) * sizeof *m->net.v);
-    m->substep = lround(t / m->dt);
-    if (m->leapfrog)
-        spring_leapfrog_place(m->leapfrog, t);
-}
-
 void spring_motion_energy(const void *motion, struct energy *energy)
 {
     const struct spring_motion *m = motion;
 
     if (m->leapfrog)
         spring_leapfrog_velocity(m->leapfrog, m->net.v);
-    net_energy(&m->net, marches(m) ? m->march.v : m->net.v, energy);
+    net_energy(&m->net, m->leapfrog ? m->net.v : m->march.v, energy);
     energy->elastic = spring_motion_elastic(m) - m->rest_energy;
 }

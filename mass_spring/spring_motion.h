@@ -3,19 +3,17 @@
  * implicit   Euler's implicit method, of springs in lengths and of struts, by the march
  *            (spring_lengths.h); one Newton iteration of it (iterations = 1) is the
  *            linearised step of Baraff and Witkin 1998.
- * explicit   symplectic Euler: v from the forces at x0 (c implicit, for free), x from v.
- *            Stable up to a greatest step, `limit`. Without a number of sub-
- *            steps it takes as many as keep LIMIT_SHARE of it; with one, it may blow up.
+ * explicit   leapfrog steps of the same springs and struts, by the march
+ *            (integrator_leapfrog.c).
  *
- * leapfrog   second order, fast, springs in squares of lengths and a quadratic bending
- *            (spring_leapfrog.h).
+ * leapfrog   the same scheme, fast, of springs in squares of lengths and a quadratic
+ *            bending (spring_leapfrog.h).
  *
  * momentum   implicit energy-momentum steps, second order, of leapfrog's springs and
  *            bending (march.h, spring_strips.h). It keeps its energy
  *            (clothbench verify energy); the membrane's viscosity takes what crumples.
  *
- * Contact is part of what implicit steps solve; it ends an explicit step, after strains
- * are limited (contact_project). Of implicit steps strains are limited once a frame.
+ * Strains are limited once a frame (Provot 1995).
  *
  * Damping: mass and alpha are c = alpha m; beta is beta V v with the clamped Jacobian at
  * the start of the step, which is positive semi-definite: it only takes energy.
@@ -40,25 +38,18 @@ struct spring_own {      /* choices of its own (models/option.h) */
 };
 
 struct spring_motion {
-    struct march march; /* first: march.h; made for implicit steps and equilibrium     */
+    struct march march; /* first: march.h; of leapfrog's steps made for equilibrium    */
     const struct discretization *asked; /* borrowed                                    */
     struct net net;
     struct spring_net springs;
     enum integrator integrator;
     int degree; /* of the surface; 0: bilinear                                         */
-    int substeps;
-    double dt;           /* length of a substep, of explicit ones               [s]   */
     double strain_limit; /* 0: none                                                   */
-    double limit;        /* greatest stable step of explicit methods about rest [s]   */
     double rest_energy;  /* round-off of the energy at rest                     [J]   */
-    void *room;          /* memory of the arrays                         owned   */
-    double *start, *f;   /* [nodes][3] explicit only: where a substep began; forces   */
-    double (*V)[9];      /* [pairs] explicit with beta, else NULL                     */
     struct spring_lengths lengths; /* implicit and explicit                         */
     struct spring_stencil stencil; /* leapfrog and momentum, as what follows        */
     struct spring_strips strips;
     struct spring_leapfrog *leapfrog; /* steps of that integrator, else NULL   owned   */
-    long substep; /* taken so far, of explicit ones                                    */
 };
 
 /* Initialises; *m must stay where it is: it holds pointers into itself. */
@@ -79,9 +70,6 @@ const struct spring_stencil *spring_motion_stencil(const struct spring_motion *m
 
 /* Returns the elastic energy of x [J], with its round-off at rest. */
 double spring_motion_elastic(const struct spring_motion *m);
-
-/* Notes that the net stands still at x at time t [s]. */
-void spring_motion_place(struct spring_motion *m, double t);
 
 /* Moves free points of x[nodes][3] until no spring is longer than (1 + limit) times its
  * rest length; limit > 0. */

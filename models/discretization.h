@@ -54,7 +54,7 @@ enum parameters {
 
 enum integrator {
     INTEGRATOR_IMPLICIT, /* Euler; of shell and solids what their kinematics has       */
-    INTEGRATOR_EXPLICIT, /* symplectic Euler                                           */
+    INTEGRATOR_EXPLICIT, /* leapfrog, of springs in lengths                            */
     INTEGRATOR_LEAPFROG, /* explicit, second order                                     */
     INTEGRATOR_MOMENTUM, /* implicit, second order, keeps energy and momenta           */
     INTEGRATOR_BDF2,     /* implicit, second order, backward differences               */

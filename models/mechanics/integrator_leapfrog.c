@@ -227,16 +227,40 @@ static double kinetic(const struct leapfrog *l, double tolerance)
     return sum;
 }
 
+/* Returns how much the stress takes of the strains' rate, in steps; a plain body's damping
+ * is by its tangent. */
+static double rate_of(const struct leapfrog *l)
+{
+    return l->m->V ? 0 : l->m->beta / step_of(l);
+}
+
+/* Adds a plain body's damping, of v half a step ago, to the forces in l->a. */
+static enum status damp_plain(struct leapfrog *l)
+{
+    enum status st;
+    struct march *m = l->m;
+    const struct large_path path = {.s1 = 1, .g1 = 1, .x_old = m->x};
+
+    TRY(large_body_tangent(&m->body, &path, m->x, (struct large_foresight){0}, m->V));
+    blocks_multiply(m->graph, (const double(*)[9])m->V, m->v, m->work);
+    for (size_t t = 0; t < count_of(l); t++)
+        l->a[t] += m->beta * m->work[t];
+out:
+    return st;
+}
+
 /* Computes a at x; features that the scene lacks cost nothing. */
 static enum status accelerate(struct leapfrog *l, struct counters *counters)
 {
     enum status st;
     struct march *m = l->m;
-    double *a = l->a, rate = m->beta / step_of(l);
+    double *a = l->a, rate = rate_of(l);
     const struct large_path path = {
         .s0 = -rate, .s1 = 1 + rate, .g1 = 1, .strain_old = m->strain_old};
 
     TRY(large_body_force(&m->body, &path, m->x, a));
+    if (m->V)
+        TRY(damp_plain(l));
     if (m->pressure.value != 0) {
         memset(l->blow, 0, count_of(l) * sizeof *l->blow);
         pressure_force(&m->pressure, 1, NULL, 1, m->x, l->blow);
@@ -285,9 +309,9 @@ static enum status begin(struct leapfrog *l, double t, struct counters *counters
     double elastic, *x_before = m->newton;
 
     march_follow(m, t);
-    for (size_t k = 0; m->beta > 0 && k < count_of(l); k++)
+    for (size_t k = 0; rate_of(l) > 0 && k < count_of(l); k++)
         x_before[k] = m->x[k] - step_of(l) * m->v[k];
-    if (m->beta > 0)
+    if (rate_of(l) > 0)
         TRY(large_body_strain(&m->body, x_before, m->strain_old));
     TRY(accelerate(l, counters));
     TRY(store(l, &elastic));

@@ -51,7 +51,6 @@ static const struct variant {
     {"explicit", {KEY "integrator=explicit"}, GAIN_EXPLICIT},
     {"leapfrog", {KEY "integrator=leapfrog"}, GAIN_EXPLICIT},
     {"momentum", {KEY "integrator=momentum"}, GAIN},
-    {"limited", {KEY "strain_limit=0.05", KEY "integrator=explicit"}, GAIN_EXPLICIT},
     {"quarters", {0}, GAIN},
     {"paper", {KEY "parameters=paper"}, GAIN},
     {"pbd", {KEY "projection=pbd"}, GAIN},

@@ -122,7 +122,7 @@ static const struct row {
     {"mass_spring_leapfrog", NET, NULL, 0},
     {"mass_spring_momentum", NET, NULL, SECOND},
     {"mass_spring", NET, NULL, FIRST},
-    {"mass_spring_explicit", NET, NULL, FIRST},
+    {"mass_spring_explicit", NET, NULL, SECOND},
     {"position_based", NET, NULL, FIRST},
     {"vbd", NET, SET "iterations=200", FIRST},
     {"projective_dynamics", NET, SET "iterations=500", FIRST},

@@ -37,7 +37,7 @@ static const struct row {
     {"triangles", {"discretization.integrator=leapfrog"}, LEAPFROG, ITERATED},
     {"triangles_baraff_witkin", {0}, EULER, ITERATED},
     {"mass_spring", {0}, EULER, ITERATED},
-    {"mass_spring_explicit", {0}, EULER, ITERATED},
+    {"mass_spring_explicit", {0}, LEAPFROG, ITERATED},
     {"mass_spring_leapfrog", {0}, LEAPFROG, ITERATED},
     {"mass_spring_momentum", {0}, AVERAGE, ITERATED},
     {"position_based", {"discretization.substeps=10"}, EULER, SUMS},

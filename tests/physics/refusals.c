@@ -81,7 +81,7 @@ static const struct row {
     {"mass_spring_momentum", "precision=single", {SINGLE}},
     {"mass_spring_leapfrog", "strain_limit", {"discretization.strain_limit=0.1"}},
     {"mass_spring",
-     "with integrator=explicit only",
+     "without contact only",
      {"discretization.strain_limit=0.1",
       "obstacles=[{plane: {point: [0,0,-1], normal: [0,0,1]}}]"}},
     {"mass_spring_leapfrog", "bending: mass_spring has no use", {BENDING "hinge"}},

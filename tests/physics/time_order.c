@@ -55,7 +55,7 @@ static const struct row {
     {"triangles", NET, 40, 2, true, {EXPLICIT, MEMBRANE(baraff_witkin)}},
     {"mass_spring", NET, 10, 1, false, {"discretization.tolerance=1e-9"}},
     {"mass_spring", NET, 10, 1, false, {STIFF_DAMPED, "discretization.tolerance=1e-9"}},
-    {"mass_spring_explicit", NET, 40, 1, false, {0}},
+    {"mass_spring_explicit", NET, 40, 2, false, {0}},
     {"mass_spring_explicit", NET, 40, 1, false, {STIFF_DAMPED}},
     {"mass_spring_momentum", NET, 40, 2, false, {0}},
     {"mass_spring_leapfrog", NET, 40, 2, true, {0}},

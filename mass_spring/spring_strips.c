@@ -189,6 +189,14 @@ static void add_tangent(const void *self, int thread, int row,
                             &t->springs->graph, K);
 }
 
+static enum status energy_of(const void *self, const double *x, double *energy)
+{
+    const struct spring_strips *s = self;
+
+    *energy = spring_stencil_energy(s->stencil, x);
+    return STATUS_OK;
+}
+
 void spring_strips_clear(struct spring_strips *s)
 {
     free(s->slab);
@@ -227,7 +235,8 @@ enum status spring_strips_init(struct spring_strips *s,
                                   .strain = strain_of,
                                   .geometry = set_geometry,
                                   .force = add_force,
-                                  .tangent = add_tangent};
+                                  .tangent = add_tangent,
+                                  .energy = energy_of};
     TRY(blocks_slabs(net->points[0], 1, REACH, &s->body.slabs, &s->slab));
     s->body.slab = s->slab;
     s->pair = malloc((size_t)net->nodes * sizeof *s->pair);

@@ -276,12 +276,6 @@ void iterative_tolerate(struct iterative *it, double tolerance, double near)
     it->near = it->krylov.near = near;
 }
 
-void iterative_forget(struct iterative *it)
-{
-    if (it)
-        it->factored = false;
-}
-
 enum solver iterative_method(const struct iterative *it)
 {
     return it->solver;

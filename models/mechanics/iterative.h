@@ -47,7 +47,7 @@ enum status iterative_update(struct iterative *it, bool keep);
 
 /* Follows the nodes' frames, three orthonormal columns each, of the present A: Q[nodes][9],
  * filled by `frames` at each iterative_update. guess: right-hand sides follow one another
- * smoothly, so that solutions are extrapolated. Does nothing for NULL, as the next two. */
+ * smoothly, so that solutions are extrapolated. Does nothing for NULL, as the next one. */
 enum status iterative_follow(struct iterative *it,
                              void (*frames)(const void *body, double (*Q)[9]),
                              const void *body, bool guess);
@@ -56,9 +56,6 @@ enum status iterative_follow(struct iterative *it,
  * the preconditioner gives, or `near`, by conjugate gradients, no node farther off; 1e-10
  * and 0 unless set. A system that stands alone gets it from its iterative_update on. */
 void iterative_tolerate(struct iterative *it, double tolerance, double near);
-
-/* Notes that the factor is of another matrix: iterative_update makes a new one. */
-void iterative_forget(struct iterative *it);
 
 /* Makes factors in single precision as long as that works: until one cannot be made so, or
  * takes more than a few iterations on its own A. */

@@ -171,12 +171,11 @@ static void begin(struct march *m)
 {
     size_t count = 3 * (size_t)m->graph->nodes;
 
-    memset(m->d, 0, 3 * count * sizeof *m->d); /* d, v and a */
+    march_still(m, m->time);
     memcpy(m->x, m->rest, count * sizeof *m->x);
     memcpy(m->newton, m->rest, count * sizeof *m->x);
     supports_turn_back(m->supports);
-    m->started = m->rested = false;
-    m->factored = -1;
+    m->rested = false;
     m->halvings = 0;
 }
 

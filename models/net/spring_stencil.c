@@ -123,20 +123,6 @@ static double square_of_edge(const double *x, int a, int b, double edge[3])
     return vector_dot(edge, edge);
 }
 
-/* A spring's energy, its force along the edge over the edge's length, and the derivative of
- * that over the length. */
-struct strain {
-    double energy, pull, gain;
-};
-
-/* Returns a spring's state; q: square of the length. */
-static struct strain strain_of(const struct spring_stencil *s, int a, int n, double q)
-{
-    const double k = s->spring[a][n], more = q - s->square[n];
-
-    return (struct strain){k * more * more / 4, k * more, 2 * k};
-}
-
 /* Computes bending from displacements: the rest shape has none, and rotation cancels. */
 double spring_stencil_energy(const struct spring_stencil *s, const double *x)
 {
@@ -147,11 +133,11 @@ double spring_stencil_energy(const struct spring_stencil *s, const double *x)
             int b = spring_stencil_node(s->mesh, a, n);
             if (b < a)
                 continue;
-            double q = square_of_edge(x, a, b, edge), moved = 0;
+            double more = square_of_edge(x, a, b, edge) - s->square[n], moved = 0;
             square_of_edge(s->mesh->rest, a, b, rest);
             for (int c = 0; c < 3; c++)
                 moved += (edge[c] - rest[c]) * (edge[c] - rest[c]);
-            energy += strain_of(s, a, n, q).energy + s->bend[a][n] * moved / 2;
+            energy += s->spring[a][n] * more * more / 4 + s->bend[a][n] * moved / 2;
         }
     for (int k = 0; k < s->soft.forms.count; k++) {
         spring_form_value(&s->soft.forms, k, x, edge);
@@ -182,63 +168,4 @@ double spring_stencil_stretch2(const struct spring_stencil *s, const double *x)
         }
     }
     return most;
-}
-
-/* Adds f (I or e e') for the pair (a, b) to K, once for each of its four blocks. */
-static void add_block(const struct blocks *graph, int a, int b, double block[9],
-                      double (*K)[9])
-{
-    long ab = a < b ? blocks_find(graph, a, b) : blocks_find(graph, b, a);
-
-    for (int t = 0; t < 9; t++) {
-        K[graph->start[a]][t] += block[t];
-        K[graph->start[b]][t] += block[t];
-        if (ab >= 0)
-            K[ab][t] -= block[t];
-    }
-}
-
-void spring_stencil_force_add(const struct spring_stencil *s, const double *x, double *f)
-{
-    double edge[3];
-
-    for (int a = 0; a < s->mesh->nodes; a++)
-        for (int n = 0; n < SPRING_STENCIL_ALL; n++) {
-            int b = spring_stencil_node(s->mesh, a, n);
-            if (b < 0)
-                continue;
-            double pull = strain_of(s, a, n, square_of_edge(x, a, b, edge)).pull;
-            for (int c = 0; c < 3; c++)
-                f[3 * a + c] += (s->bend[a][n] + pull) * edge[c];
-        }
-    for (int t = 0; t < 3 * s->mesh->nodes; t++)
-        f[t] += s->clamp[t / 3][t % 3];
-    for (int k = 0; k < s->soft.forms.count; k++) {
-        spring_form_value(&s->soft.forms, k, x, edge);
-        spring_soft_force(&s->soft, k, edge, -1, f);
-    }
-}
-
-void spring_stencil_jacobian(const struct spring_stencil *s, const double *x, bool clamped,
-                             double (*K)[9])
-{
-    const struct blocks *graph = &s->springs->graph;
-    double edge[3], block[9];
-
-    memset(K, 0, (size_t)graph->start[graph->nodes] * sizeof *K);
-    for (int a = 0; a < s->mesh->nodes; a++)
-        for (int n = 0; n < SPRING_STENCIL_ALL; n++) {
-            int b = spring_stencil_node(s->mesh, a, n);
-            if (b < a)
-                continue;
-            const struct strain e = strain_of(s, a, n, square_of_edge(x, a, b, edge));
-            double all = s->bend[a][n] + (clamped ? fmax(e.pull, 0) : e.pull);
-            for (int t = 0; t < 9; t++)
-                block[t] = e.gain * edge[t / 3] * edge[t % 3] + (t % 4 == 0 ? all : 0);
-            add_block(graph, a, b, block, K);
-        }
-    for (int k = 0; k < s->soft.forms.count; k++) {
-        spring_form_value(&s->soft.forms, k, x, edge);
-        spring_soft_tangent(&s->soft, k, edge, 1, graph, K);
-    }
 }

@@ -42,15 +42,6 @@ int spring_stencil_node(const struct mesh *mesh, int node, int neighbour);
 /* Returns elastic energy at x[nodes][3] [J], zero at rest up to round-off. */
 double spring_stencil_energy(const struct spring_stencil *s, const double *x);
 
-/* Subtracts its derivative [N] from f[nodes][3]. */
-void spring_stencil_force_add(const struct spring_stencil *s, const double *x, double *f);
-
-/* Computes its second derivative at x, K[pairs of springs->graph][9] [N/m], without pairs
- * with held points that the graph leaves out. clamped: springs under pressure do not push
- * aside, and K is positive semi-definite. */
-void spring_stencil_jacobian(const struct spring_stencil *s, const double *x, bool clamped,
-                             double (*K)[9]);
-
 /* Returns the largest (l/r)^2 of an edge at x[nodes][3] [1]. */
 double spring_stencil_stretch2(const struct spring_stencil *s, const double *x);
 

@@ -107,6 +107,16 @@ if grep -qE '^(GIT_DIR|CDPATH|CMAKE_C_COMPILER_LAUNCHER)=' "$folder/environment"
     echo 'variables of another place are handed on' && ((++failures))
 fi
 
+# A folder's name may have what a shell takes for its own: commands that generate have it, too.
+odd=$folder/'a$b (1)'
+ln -s "$source" "$odd"
+output=$(cmake -G Ninja -S "$odd" -B "$odd built" 2>&1 &&
+    for file in provenance tests/toy_table.c; do
+        ninja -C "$odd built" -t commands $file | tail -n 1 | bash 2>&1 || exit
+    done)
+code=$?
+expect 'an odd folder' 0 'Generating done'
+
 run ./reproduce --fast
 expect 'unknown option' 2 'usage: ./reproduce'
 run ./reproduce --help

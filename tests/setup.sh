@@ -110,12 +110,16 @@ fi
 # A folder's name may have what a shell takes for its own: commands that generate have it, too.
 odd=$folder/'a$b (1)'
 ln -s "$source" "$odd"
-output=$(cmake -G Ninja -S "$odd" -B "$odd built" 2>&1 &&
+mkdir "$folder/broken" # MPI that is half there
+for name in mpi-c ompi-c mpich; do
+    printf 'Name: x\nDescription: x\nVersion: 1\nRequires: nowhere\n' >"$folder/broken/$name.pc"
+done
+output=$(PKG_CONFIG_PATH=$folder/broken cmake -G Ninja -S "$odd" -B "$odd built" 2>&1 &&
     for file in provenance tests/toy_table.c; do
         ninja -C "$odd built" -t commands $file | tail -n 1 | bash 2>&1 || exit
     done)
 code=$?
-expect 'an odd folder' 0 'Generating done'
+expect 'an odd folder, half of MPI' 0 'one machine' 'Generating done'
 
 run ./reproduce --fast
 expect 'unknown option' 2 'usage: ./reproduce'

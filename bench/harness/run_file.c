@@ -94,16 +94,15 @@ out:
 static void measure(struct run_file *f)
 {
     struct looks *l = &f->looks;
-    const int n = l->count;
+    const int n = l->count, *points = f->run->discretization.points;
 
     looks_add(l, &f->run->scene, f->time, f->xyz, f->keep->intersections);
     if (n)
         l->series[LOOKS_SPEED][n] =
             metric_rmse(f->xyz, f->before) / (l->time[n] - l->time[n - 1]);
     l->series[LOOKS_LOAD][n] = f->load;
-    l->series[LOOKS_TURN][n] = metric_turn(
-        &f->run->scene, (const int[]){warnings_spans(f->run, 0), warnings_spans(f->run, 1)},
-        f->xyz);
+    l->series[LOOKS_TURN][n] =
+        metric_turn(&f->run->scene, (const int[]){points[0] - 1, points[1] - 1}, f->xyz);
     l->series[LOOKS_THROUGH][n] = f->through;
     l->energy[n] = f->energy;
 }

@@ -233,9 +233,23 @@ static bool has_law(const struct run *r)
     return contact_wanted(&r->scene) && !kinematics_rebuilds(r->discretization.kinematics);
 }
 
+/* Returns the curvature, times the length, by which its weight bends a sheet: Gamma^(1/2)
+ * at a clamp (above); where nothing holds its slope, its bending moment D k is that of the
+ * weight of as much of it as bends, rho g h / k^2, and k L = Gamma^(1/3). */
+static double weight_bends(const struct scene *s)
+{
+    bool clamped = false;
+
+    for (int n = 0; n < s->support_count; n++) {
+        const struct scene_support *a = &s->supports[n];
+        clamped |= a->hi[2] > a->lo[2] || (a->hi[0] > a->lo[0] && a->hi[1] > a->lo[1]);
+    }
+    return pow(scene_gamma(s), clamped ? 1. / 2 : 1. / 3);
+}
+
 /* Returns the energy of the stretch that a net without a cure can't avoid when it bends,
  * over that of the bend, where the sheet bends as its weight has it: by a curvature k of
- * Gamma^(1/2) / L, as at a clamp (above). Over a span s, a spline of degree p follows the
+ * weight_bends / L. Over a span s, a spline of degree p follows the
  * derivatives of an arc to (k s / pi)^p (Favard's bound for splines of degree p - 1, whose
  * constant is near 1): this is its strain e, and h e^2 / (h^3 k^2 / 12) the ratio. A
  * hexahedron with incompatible modes has straight edges, and its own parabola, which frees
@@ -245,7 +259,7 @@ static bool has_law(const struct run *r)
 static double stretch_of_bends(const struct run *r)
 {
     const double pi = acos(-1.0), s = longest_span(r), thin = s / r->scene.thickness,
-                 turn = fmin(pi, s * sqrt(scene_gamma(&r->scene)) / r->scene.length);
+                 turn = fmin(pi, s * weight_bends(&r->scene) / r->scene.length);
     const int p = in_plane_degree(r);
 
     return p == 1 ? 12 * turn * turn / 64 * 4 / 45 * thin * thin
@@ -268,10 +282,11 @@ static bool degree_1_locks(const struct run *r, double number[])
 static bool bends_stretch(const struct run *r, double number[])
 {
     const enum remedy remedy = r->discretization.remedy;
+    const enum kinematics by = r->discretization.kinematics;
 
     number[0] = longest_span(r) / r->scene.thickness;
     number[1] = stretch_of_bends(r);
-    return r->discretization.kinematics == KINEMATICS_NONLINEAR && number[1] > 1 &&
+    return (by == KINEMATICS_NONLINEAR || by == KINEMATICS_INCREMENTAL) && number[1] > 1 &&
            (remedy == REMEDY_INCOMPATIBLE ||
             (remedy == REMEDY_NONE && in_plane_degree(r) > 1));
 }
@@ -304,18 +319,19 @@ static bool is_far_out(const struct run *r, const double number[])
     return number[0] > 1;
 }
 
-/* Takes the side along u of an area that is held and, if that is narrower, the span. Of the
+/* Takes the side along u of an area that is held and, if that is narrower, the cell. Of the
  * drawn sheets, which hang from u = 0, none was worse for few or long spans across. */
 static bool holds_less_than_a_cell(const struct run *r, double number[])
 {
-    const double length = r->scene.length, span = length / warnings_spans(r, 0);
+    const double length = r->scene.length,
+                 cell = length / (r->discretization.points[0] - 1);
     bool less = false;
 
     for (int n = 0; n < r->scene.support_count; n++) {
         const struct scene_support s = scene_support_along(&r->scene, n);
         const double side = (s.hi[0] - s.lo[0]) * length;
-        if (side > 0 && side < span * (1 - 1e-9))
-            less = true, number[0] = side, number[1] = span;
+        if (side > 0 && side < cell * (1 - 1e-9))
+            less = true, number[0] = side, number[1] = cell;
     }
     return less;
 }
@@ -331,14 +347,6 @@ static bool forgets_its_shape(const struct run *r, double number[])
     (void)number;
     return r->discretization.kinematics == KINEMATICS_INCREMENTAL &&
            r->scene.support_count > 0;
-}
-
-static bool has_few_spans(const struct run *r, double number[])
-{
-    enum { LEAST = 3 };
-
-    number[0] = warnings_spans(r, 0);
-    return number[0] < LEAST && scene_gamma(&r->scene) >= GAMMA_BENDS;
 }
 
 /* Takes the law at a body under the sheet's weight. */
@@ -444,12 +452,9 @@ const struct warnings_rule warnings_rules[] = {
     {"between", "compare corners_patch", ends_could_fit,
      BETWEEN "; %g x %g points have lines there"},
     {"narrow", "distrust_trial", holds_less_than_a_cell,
-     "%.2g m of the sheet are held, less than a span of %.2g m: the net has no place for "
+     "%.2g m of the sheet are held, less than a cell of %.2g m: the net has no place for "
      "that",
      always, "a place that is held is narrower than a cell of its net"},
-    {"few", "distrust_trial", has_few_spans,
-     "a net of %g spans along u hardly bends: three are the least that showed a motion",
-     always, "its net has fewer than three spans along u"},
     {"forgets", "distrust_trial", forgets_its_shape,
      "kinematics=incremental forgets part of the shape at rest: a sheet that is held sags "
      "as if its stiffness relaxed",

@@ -59,6 +59,8 @@ static const struct row {
     {"bends", "shell_2", false, SHEET LIGHT "gravity=[0,0,-5.4]"},
     {"bends", "hex_incompatible", true,
      SHEET LIGHT "gravity=[0,0,-67];discretization.points=[10,10,2]"},
+    {"bends", "hex_incompatible_incremental", true,
+     SHEET LIGHT "gravity=[0,0,-67];discretization.points=[10,10,2]"},
     {"bends", "hex_incompatible", false,
      SHEET LIGHT "gravity=[0,0,-64];discretization.points=[10,10,2]"},
     {"bends", "shell", false, SHEET LIGHT "gravity=[0,0,-520]"},
@@ -291,7 +293,7 @@ static const struct result {
      0.23},
     {1, NAN, NAN, NAN, 0, 0, 0, NULL},
     {NAN, NAN, NAN, NAN, NAN, NAN, NAN, NULL},
-    {1.2999, 0.00499, 0, INFINITY, 0.0309, 0.349, 0.299, NULL},
+    {1.2999, 0.00499, 0, INFINITY, 0.0309, 0.399, 0.299, NULL},
     {1.3001, 0, 0, INFINITY, 0, 0, 0,
      "1.3 times its length, where the scene prescribes a "
      "strain of 0.02; try a finer net, another model"},
@@ -299,8 +301,8 @@ static const struct result {
      "result: neighbouring stretches differ by 0.031, where the scene prescribes a strain "
      "of "
      "0.02; try a finer net."},
-    {1, 0, 0, INFINITY, 0, 0.351, 0,
-     "result: a cell of the net bends by 20 degrees; try a "},
+    {1, 0, 0, INFINITY, 0, 0.401, 0,
+     "result: a cell of the net bends by 23 degrees; try a "},
     {1, 0, 0, INFINITY, 0, 0, 0.301,
      "result: 30 % of the energy are won from nothing; try "},
     {1, 0.00501, 0, INFINITY, 0, 0, 0,
@@ -397,9 +399,10 @@ static void check_nets(void)
         {"shell", "", NULL},
         {"iga_linear", "", "small-strain theory does not reach this far"},
         {"iga_linear", "sheet.thickness=0.05", NULL},
-        {"shell", "discretization.points=[5,10]", "fewer than three spans"},
-        {"shell", "discretization.points=[10,5]", NULL},
-        {"shell", CLAMP "discretization.points=[5,13]", "narrower than a cell"},
+        {"shell_3", "supports=[]", NULL},
+        {"shell_3", "supports=[{at: {u: 0, w: 0.5}, fix: xyz}]", NULL},
+        {"shell", CLAMP "discretization.points=[10,13]", "narrower than a cell"},
+        {"shell", CLAMP "discretization.points=[11,13]", NULL},
         {"mass_spring", CLAMP "discretization.points=[10,11]", "narrower than a cell"},
         {"mass_spring", CLAMP "discretization.points=[11,11]", NULL},
         {"hex_incompatible_incremental", "", "forgets the shape"},
@@ -412,6 +415,7 @@ static void check_nets(void)
         struct run run;
         read_row(nets[n].contestant, nets[n].settings, &run);
         fill_value(value);
+        value[MEASURE_LOAD_MAX] = 0.9; /* no body has carried the sheet */
         const bool told = distrust(&run, value, &said);
         if (!CHECK(told == !!nets[n].said && (!told || strstr(said.text, nets[n].said))))
             printf("%s, %s: '%s'\n", nets[n].contestant, nets[n].settings, said.text);

@@ -77,12 +77,24 @@ static double along_v(struct spring_law_stiffness c)
     return c.c22 - c.c12 * c.c12 / c.c11;
 }
 
-/* Returns the C11 and C22 with which springs of this C33 give way to tension along u or v,
- * with free sides, as the sheet does (the head's derivation). */
-static struct spring_law_stiffness freed(struct spring_law_stiffness sheet)
+/* Returns the C12 at which springs along u have no strength left, from what there is
+ * against tension along u and across it, and (a_v / a_u)^2. */
+static double most_c12(double E1, double E2, double r)
 {
-    const double E1 = along_u(sheet), E2 = along_v(sheet);
+    const double left = 1 - r * r * E1 / E2;
 
+    return left > 0 ? r * E1 / left : INFINITY;
+}
+
+/* Returns the C11 and C22 with which springs of this C33, or the most that these diagonals
+ * allow, give way to tension along u or v, with free sides, as the sheet does (the head's
+ * derivation). */
+static struct spring_law_stiffness freed(struct spring_law_stiffness sheet,
+                                         struct diagonal d)
+{
+    const double E1 = along_u(sheet), E2 = along_v(sheet), r = d.s2 / d.c2;
+
+    sheet.c33 = fmin(sheet.c33, fmin(most_c12(E1, E2, r), most_c12(E2, E1, 1 / r)));
     sheet.c12 = sheet.c33;
     sheet.c11 = (E1 + sqrt(E1 * E1 + 4 * sheet.c12 * sheet.c12 * E1 / E2)) / 2;
     sheet.c22 = sheet.c11 * E2 / E1;
@@ -94,7 +106,7 @@ static void match(const struct scene *scene, const double cell[2], struct spring
     const struct law sheet = scene_law(scene);
     const struct spring_law_stiffness rim = stiffness_of(&sheet, LAW_BENDING);
     const struct diagonal d = diagonal_of(cell);
-    const struct share pull = share_of(freed(stiffness_of(&sheet, LAW_MEMBRANE)), d),
+    const struct share pull = share_of(freed(stiffness_of(&sheet, LAW_MEMBRANE), d), d),
                        turn = share_of(rim, d);
     const double area = cell[0] * cell[1];
 

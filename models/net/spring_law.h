@@ -19,7 +19,8 @@
  * Poisson ratio, C33 / C11, is .41, .34, .29. On square cells k_d = G h and
  * k_u = k_v = C11 - G h. A cell longer than (C11 / G h)^(1/2) times its width would
  * need springs of negative strength; its diagonals are weakened instead, and C33 falls
- * short.
+ * short: with r = (a_v / a_u)^2 < 1 to what leaves k_u = 0, C12 = C33 = r C11 and C11 =
+ * E1 / (1 - r^2 E1 / E2). Tension along u and v stays the sheet's.
  *
  * Bending. A spring across two cells, unstrained at rest, has the energy k (a^3 / 4)^2
  * kappa^4 / 2: of fourth order. Such springs can't represent a bending stiffness D, which

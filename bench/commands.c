@@ -6,7 +6,7 @@
 #include "bench/score/score_command.h"
 #include "bench/experiment/study.h"
 #include "bench/harness/contestant.h"
-#include "bench/ui/table.h"
+#include "bench/data/printer.h"
 #include "models/law/law_fabrics.h"
 #include "models/reader/near.h"
 #include "models/reader/scene_file.h"
@@ -14,7 +14,7 @@
 
 static void print_item(const char *name, const char *text)
 {
-    table_print_item(name, 24, text, stdout);
+    wrap_item(name, 24, text, stdout);
 }
 
 static enum status list_files(const struct named_file_kind *kind, struct message *why)
@@ -127,7 +127,7 @@ static enum status list_section(const struct section *s, struct message *why)
     return s->files ? list_files(s->files, why) : STATUS_OK;
 }
 
-static enum status run(const struct command_line *line, struct message *why)
+static enum status run(struct command_line *line, struct message *why)
 {
     enum status st = STATUS_OK;
 

@@ -13,7 +13,7 @@
 #include "bench/files/provenance.h"
 #include "bench/harness/contestant.h"
 #include "bench/harness/measures.h"
-#include "bench/ui/table.h"
+#include "bench/data/printer.h"
 #include "models/linalg/blas_kernel.h"
 #include "models/reader/scene_schema.h"
 
@@ -58,7 +58,7 @@ static void print_key(void *file, const char *key, const char *text)
     char name[64];
 
     snprintf(name, sizeof name, "  %s", key);
-    table_print_item(name, 30, text, file);
+    wrap_item(name, 30, text, file);
 }
 
 static void print_scene_help(FILE *file)
@@ -107,7 +107,7 @@ static enum status print_version(void)
 
     provenance_collect(&p);
     for (int n = 0; n < p.count; n++)
-        table_print_item(p.entry[n].key, 16, p.entry[n].value, stdout);
+        wrap_item(p.entry[n].key, 16, p.entry[n].value, stdout);
     return STATUS_OK;
 }
 
@@ -156,7 +156,9 @@ static enum status run(int argc, char **argv, struct message *why)
         return STATUS_OK;
     }
     TRY(command_parse(command, argc - 1, argv + 1, &line, why));
-    TRY(command->run(&line, why));
+    st = command->run(&line, why);
+    const enum status printed = printer_close(&line.printer);
+    st = st == STATUS_OK ? printed : st;
 out:
     command_line_clear(&line);
     return st;
@@ -239,7 +241,6 @@ int main(int argc, char **argv)
     atomic_file_catch_signals();
 
     enum status st = run(argc - 1, argv + 1, &why);
-    table_json_close();
     enum status written = output_close_standard(&lost);
     if (written != STATUS_OK && (st == STATUS_OK || !*why.text)) {
         st = written;

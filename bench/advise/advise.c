@@ -200,43 +200,43 @@ static bool is_fast(const struct advise_search *s, const struct contest_row *row
     return rate_of(s, row) <= s->wish.rate;
 }
 
-static void add_row(struct table *t, const struct advise_search *s,
+static void add_row(struct dataset *t, const struct advise_search *s,
                     const struct contestant *who, const struct contest_row *r)
 {
     const int *size = r ? r->at.size : (const int[CONTEST_AXES]){0};
     const bool serves = r && r == finest(s, who);
     struct message reason = {""};
 
-    table_line(t, "%s|%s|%s", who->title, who->name,
-               !serves         ? "no"
-               : is_fast(s, r) ? "yes"
-                               : "too slow");
+    dataset_line(t, "%s|%s|%s", who->title, who->name,
+                 !serves         ? "no"
+                 : is_fast(s, r) ? "yes"
+                                 : "too slow");
     if (r)
-        table_add(t, "%dx%d", size[CONTEST_NET], size[CONTEST_ACROSS]);
+        dataset_add(t, "%dx%d", size[CONTEST_NET], size[CONTEST_ACROSS]);
     else
-        table_add(t, "-");
-    table_add(t, "%.3g|%.0f|%.2g|%.2g|%.2g",
-              r ? scene_of(s)->step / size[CONTEST_STEP] : NAN,
-              size[CONTEST_ITERATIONS] ? size[CONTEST_ITERATIONS] : NAN, r ? r->worst : NAN,
-              r ? rate_of(s, r) : NAN, r ? r->result.bytes : NAN);
+        dataset_add(t, "-");
+    dataset_add(t, "%.3g|%.0f|%.2g|%.2g|%.2g",
+                r ? scene_of(s)->step / size[CONTEST_STEP] : NAN,
+                size[CONTEST_ITERATIONS] ? size[CONTEST_ITERATIONS] : NAN,
+                r ? r->worst : NAN, r ? rate_of(s, r) : NAN, r ? r->result.bytes : NAN);
     if (!serves)
         tell_reason(s, who, &reason);
-    table_add(t, "%s", reason.text);
+    dataset_add(t, "%s", reason.text);
 }
 
-static struct table *create(const struct advise_search *s, char caption[TEXT])
+static struct dataset *create(const struct advise_search *s, char caption[TEXT])
 {
-    static const struct table_column columns[] = {
-        {"model", NULL, TABLE_LEFT, .key = "title"},
-        {"contestant", NULL, TABLE_LEFT, .readers = TABLE_MACHINES},
-        {"serves", NULL, TABLE_LEFT},
-        {"net", NULL, TABLE_LEFT},
+    static const struct dataset_column columns[] = {
+        {"model", NULL, DATASET_LEFT, .key = "title"},
+        {"contestant", NULL, DATASET_LEFT, .readers = DATASET_MACHINES},
+        {"serves", NULL, DATASET_LEFT},
+        {"net", NULL, DATASET_LEFT},
         {"step", "ms", .key = "step_s", .key_unit = "s", .scale = 1e3},
         {"iterations"},
         {"error", "% L", .key = "error_over_length", .key_unit = "L", .scale = 100},
         {"time for 1 s", "s", .key = "seconds_per_second", .key_unit = "1"},
         {"memory", "MB", .key = "model_bytes", .key_unit = "B", .scale = 1e-6},
-        {"why not", NULL, TABLE_LEFT, .key = "reason"}};
+        {"why not", NULL, DATASET_LEFT, .key = "reason"}};
 
     if (is_for_frames(s))
         snprintf(caption, TEXT, "Contestants on %s at %.3g ms a frame, to %.3g s",
@@ -244,12 +244,12 @@ static struct table *create(const struct advise_search *s, char caption[TEXT])
     else
         snprintf(caption, TEXT, "Contestants on %s within %.3g %% of its length, to %.3g s",
                  scene_of(s)->name, 100 * s->wish.error, s->job->time[s->job->times - 1]);
-    return TABLE_OF(columns, caption);
+    return DATASET_OF(columns, caption);
 }
 
 /* Adds those that serve from cheap to dear, then the others in the order of the
  * contest. */
-static void fill(struct table *t, const struct advise_search *s)
+static void fill(struct dataset *t, const struct advise_search *s)
 {
     const struct contest_row *best[MOST];
     const struct contest *c = &s->job->contest;
@@ -259,23 +259,24 @@ static void fill(struct table *t, const struct advise_search *s)
     for (int n = 0; n < serving; n++)
         add_row(t, s, best[n]->at.contestant, best[n]);
     if (serving)
-        table_rule(t);
+        dataset_rule(t);
     for (int k = 0; (who = contest_entrant(c, k)); k++)
         if (!finest(s, who))
             add_row(t, s, who, contest_nearest(c, who));
 }
 
-static void note_method(struct table *t, const struct advise_search *s)
+static void note_method(struct dataset *t, const struct advise_search *s)
 {
     const double bar = contest_largest_bar(&s->job->contest);
 
     if (is_for_frames(s))
-        table_note(t,
-                   "The error is the rms over the sheet at the worst of %d times, over the "
-                   "length; the truth leaves it uncertain by %.2g %%. Truth: %s.",
-                   s->job->times, 100 * bar, s->job->contest.truth->source);
+        dataset_note(
+            t,
+            "The error is the rms over the sheet at the worst of %d times, over the "
+            "length; the truth leaves it uncertain by %.2g %%. Truth: %s.",
+            s->job->times, 100 * bar, s->job->contest.truth->source);
     else
-        table_note(
+        dataset_note(
             t,
             "The error is the rms over the sheet at the worst of %d times, over the "
             "length. A run is accurate enough below %.3g %%: that is %.3g %% less the "
@@ -283,13 +284,13 @@ static void note_method(struct table *t, const struct advise_search *s)
             s->job->times, 100 * s->target, 100 * s->wish.error,
             truth_bar_name(s->job->contest.truth), 100 * bar,
             s->job->contest.truth->source);
-    table_note(t,
-               "The time is that of set-up and stepping on one thread. Runs up to %.2g s "
-               "were tried%s.",
-               s->longest,
-               s->end == ADVISE_BUDGET
-                   ? "; then the budget (--budget) ended"
-                   : "; much more expensive ones than the best were not");
+    dataset_note(t,
+                 "The time is that of set-up and stepping on one thread. Runs up to %.2g s "
+                 "were tried%s.",
+                 s->longest,
+                 s->end == ADVISE_BUDGET
+                     ? "; then the budget (--budget) ended"
+                     : "; much more expensive ones than the best were not");
 }
 
 /* --- the answer --- */
@@ -301,12 +302,11 @@ static void say_needs(const struct advise_search *s, FILE *file)
     char text[TEXT];
 
     scene_needs_text(needs, text, sizeof text);
-    table_say(
-        file,
-        "%s: a sheet of %g x %g m, %g mm thick; Gamma = %.3g, weight against bending; "
-        "what it requires of a model beyond bending and stretching: %s. Motion: %s.",
-        scene->name, scene->length, scene->width, 1e3 * scene->thickness,
-        scene_gamma(scene), needs ? text : "nothing", s->job->contest.physics);
+    wrap_say(file,
+             "%s: a sheet of %g x %g m, %g mm thick; Gamma = %.3g, weight against bending; "
+             "what it requires of a model beyond bending and stretching: %s. Motion: %s.",
+             scene->name, scene->length, scene->width, 1e3 * scene->thickness,
+             scene_gamma(scene), needs ? text : "nothing", s->job->contest.physics);
 }
 
 static void say_command(const struct advise_search *s, const struct contest_row *r,
@@ -327,29 +327,30 @@ static void say_command(const struct advise_search *s, const struct contest_row 
 /* Says the masses and stiffnesses of the net, if it is one of points; they are
  * advise_net.csv in the folder, too. */
 static enum status say_net(const struct advise_search *s, const struct contest_row *r,
-                           enum table_format format, FILE *file, struct message *why)
+                           struct printer *p, struct message *why)
 {
     const struct contestant *who = r->at.contestant;
     const struct export_sheet sheet = {
         .scene = scene_of(s),
         .points = {r->at.size[CONTEST_NET], r->at.size[CONTEST_ACROSS]}};
-    struct table *t = NULL;
+    struct dataset *t;
     enum status st = STATUS_OK;
 
     if (who->layers || who->degree != 1)
         return st;
     t = export_numbers_table(&sheet);
-    TRY(table_save(t, s->job->folder, "advise_net", why));
-    if (!table_format_is_prose(format))
-        goto out;
-    st = table_finish(t, format, file), t = NULL;
+    if (!printer_is_prose(p)) {
+        st = printer_save(t, p->folder, "advise_net", why);
+        dataset_destroy(t);
+        return st;
+    }
+    TRY(printer_table(p, t, "advise_net", why));
     fprintf(
-        file,
+        p->file,
         "This command writes every vertex and spring of it:\n\n    clothbench export %s "
         "--points %d,%d --out DIR\n\n",
         s->job->path, sheet.points[0], sheet.points[1]);
 out:
-    table_destroy(t);
     return st;
 }
 
@@ -359,22 +360,21 @@ static void say_answer(const struct advise_search *s, const struct contest_row *
     const double bar = contest_largest_bar(&s->job->contest);
 
     if (!best && is_for_frames(s)) {
-        table_say(file, "No contestant takes %.3g ms a frame or less.",
-                  1e3 * s->wish.frame);
+        wrap_say(file, "No contestant takes %.3g ms a frame or less.", 1e3 * s->wish.frame);
         return;
     }
     if (!best) {
-        table_say(file, "No contestant came within %.3g %% (%.3g %% less the %s).",
-                  100 * s->target, 100 * s->wish.error,
-                  truth_bar_name(s->job->contest.truth));
+        wrap_say(file, "No contestant came within %.3g %% (%.3g %% less the %s).",
+                 100 * s->target, 100 * s->wish.error,
+                 truth_bar_name(s->job->contest.truth));
         return;
     }
     if (!is_fast(s, best))
-        table_say(file,
-                  "None of the contestants within %.3g %% is as fast as required, %.3g s "
-                  "for a second of motion; this is the fastest:",
-                  100 * s->wish.error, s->wish.rate);
-    table_say(
+        wrap_say(file,
+                 "None of the contestants within %.3g %% is as fast as required, %.3g s "
+                 "for a second of motion; this is the fastest:",
+                 100 * s->wish.error, s->wish.rate);
+    wrap_say(
         file,
         "%s: error %.2g %% of the length, which the truth leaves uncertain by %.2g %%; "
         "%.2g s for a second of motion, %.2g ms a frame; %.2g MB.",
@@ -382,35 +382,35 @@ static void say_answer(const struct advise_search *s, const struct contest_row *
         1e3 * rate_of(s, best) * scene_of(s)->step, 1e-6 * best->result.bytes);
     const struct counters *work = &best->result.work;
     const double steps = (double)work->steps;
-    table_say(file,
-              "Net %dx%d, steps of %.3g ms, each in %.3g substeps with %.3g iterations in "
-              "all.",
-              best->at.size[CONTEST_NET], best->at.size[CONTEST_ACROSS],
-              1e3 * scene_of(s)->step / best->at.size[CONTEST_STEP],
-              fmax(1, (double)work->substeps / steps), (double)work->iterations / steps);
+    wrap_say(file,
+             "Net %dx%d, steps of %.3g ms, each in %.3g substeps with %.3g iterations in "
+             "all.",
+             best->at.size[CONTEST_NET], best->at.size[CONTEST_ACROSS],
+             1e3 * scene_of(s)->step / best->at.size[CONTEST_STEP],
+             fmax(1, (double)work->substeps / steps), (double)work->iterations / steps);
     say_command(s, best, file);
 }
 
-enum status advise_print(const struct advise_search *s, enum table_format format,
-                         FILE *file, struct message *why)
+enum status advise_print(const struct advise_search *s, struct printer *p,
+                         struct message *why)
 {
     char caption[TEXT];
-    struct table *t = create(s, caption);
+    struct dataset *t = create(s, caption);
     const struct contest_row *ranked[MOST];
     const struct contest_row *best = rank(s, ranked) ? ranked[0] : NULL;
     enum status st;
 
-    if (table_format_is_prose(format)) {
-        say_needs(s, file);
-        say_answer(s, best, file);
+    if (printer_is_prose(p)) {
+        say_needs(s, p->file);
+        say_answer(s, best, p->file);
     }
     if (best)
-        TRY(say_net(s, best, format, file, why));
+        TRY(say_net(s, best, p, why));
     fill(t, s);
     note_method(t, s);
-    return table_publish(t, s->job->folder, "advise", format, file, why);
+    return printer_table(p, t, "advise", why);
 out:
-    table_destroy(t);
+    dataset_destroy(t);
     return st;
 }
 
@@ -477,21 +477,21 @@ static bool is_undecidable(const struct advise_search *s, const struct message *
     const bool decidable = c->truth && s->target > 0;
 
     if (!c->truth)
-        table_say(stdout, "Cannot be decided: %s%s.", said->text,
-                  deadline_left(s->job->until) < 0
-                      ? " (a third of --budget is for the truth)"
-                      : "");
+        wrap_say(stdout, "Cannot be decided: %s%s.", said->text,
+                 deadline_left(s->job->until) < 0
+                     ? " (a third of --budget is for the truth)"
+                     : "");
     else if (!decidable && *c->truth->unresolved)
-        table_say(stdout, "Cannot be decided: %s Truth: %s.", c->truth->unresolved,
-                  c->truth->source);
+        wrap_say(stdout, "Cannot be decided: %s Truth: %s.", c->truth->unresolved,
+                 c->truth->source);
     else if (!decidable)
-        table_say(stdout,
-                  "Nothing can be decided: the truth is known to %.2g %% of the length "
-                  "only, and an "
-                  "error of %.3g %% is required. A larger --budget or an earlier --until "
-                  "may help. "
-                  "Truth: %s.",
-                  100 * contest_largest_bar(c), 100 * s->wish.error, c->truth->source);
+        wrap_say(stdout,
+                 "Nothing can be decided: the truth is known to %.2g %% of the length "
+                 "only, and an "
+                 "error of %.3g %% is required. A larger --budget or an earlier --until "
+                 "may help. "
+                 "Truth: %s.",
+                 100 * contest_largest_bar(c), 100 * s->wish.error, c->truth->source);
     return !decidable;
 }
 
@@ -519,8 +519,8 @@ out:
     return st;
 }
 
-static enum status answer(struct advise_search *s, const char *models,
-                          enum table_format format, struct message *why)
+static enum status answer(struct advise_search *s, const char *models, struct printer *p,
+                          struct message *why)
 {
     struct compare_job *j = s->job;
     const bool frames = is_for_frames(s);
@@ -542,7 +542,7 @@ static enum status answer(struct advise_search *s, const char *models,
     j->until = clock_now() + s->wish.budget;
     TRY(enter(s, models, why));
     TRY(search(s, why));
-    TRY(advise_print(s, format, stdout, why));
+    TRY(advise_print(s, p, why));
 out:
     return st;
 }
@@ -551,12 +551,11 @@ out:
  * its own. */
 static const double CELLS = 3;
 
-static enum status run(const struct command_line *line, struct message *why)
+static enum status run(struct command_line *line, struct message *why)
 {
     struct compare_job job = {.contest = {.quick = true, .advises = true}};
     struct advise_search s = {.job = &job};
     const char *out = command_value(line, "--out");
-    enum table_format format = TABLE_TEXT;
     char folder[4096];
     const char *one = command_value(line, "--contestant"),
                *models = one ? one : command_value(line, "--models");
@@ -564,7 +563,6 @@ static enum status run(const struct command_line *line, struct message *why)
     int given;
     enum status st;
 
-    TRY(command_format(line, &format, why));
     TRY(contestant_check(models, why));
     TRY(read_wish(line, &s.wish, why));
     TRY(command_number(line, "--until", false, &until, why));
@@ -574,7 +572,8 @@ static enum status run(const struct command_line *line, struct message *why)
     snprintf(folder, sizeof folder, "results/advise_%s", job.scene.name);
     job.folder = out ? out : folder;
     job.contest.cells = scene_same_across(&job.scene) ? 0 : CELLS;
-    TRY(answer(&s, models, format, why));
+    line->printer.folder = job.folder;
+    TRY(answer(&s, models, &line->printer, why));
 out:
     compare_job_close(&job);
     return st;
@@ -597,7 +596,7 @@ static const struct command_option options[] = {
     {"--budget", "SECONDS|MS", false,
      "time for the answer (240); or, as in 4ms, that of a frame:\n"
      "the least error for it"},
-    {"--format", TABLE_FORMATS, false, "output format (text)"},
+    {"--format", PRINTER_FORMATS, false, "output format (text)"},
     {"--out", "DIR", false, "folder of result files and CSV (results/advise_SCENE)"},
     {NULL, NULL, false, NULL},
 };

@@ -8,7 +8,7 @@
 
 #include "bench/compare/compare.h"
 #include "bench/ui/command.h"
-#include "bench/ui/table.h"
+#include "bench/data/printer.h"
 
 struct advise_wish {
     double error;  /* largest error over the length, at every time; NaN: the least   */
@@ -32,7 +32,7 @@ struct advise_search {
 /* Prints the table of all contestants, best first, to `file` and as advise.csv in the
  * folder; in prose formats with the answer above it, and the parameters of the best one's
  * net, if that is one of points; they are advise_net.csv in the folder. */
-enum status advise_print(const struct advise_search *s, enum table_format format,
-                         FILE *file, struct message *why);
+enum status advise_print(const struct advise_search *s, struct printer *p,
+                         struct message *why);
 
 #endif

@@ -45,8 +45,8 @@ static enum verdict judge_statement(const struct plan_statement *s,
     struct where row[2][LABELS + 1];
     const struct where *a = where_of(&s->row[0], row[0]), *b = where_of(&s->row[1], row[1]);
     const double ours = s->exponent
-                            ? dataset_exponent(d, quantity_of(s, 0), quantity_of(s, 1), a)
-                            : dataset_ratio(d, quantity_of(s, 0), a, b);
+                            ? results_exponent(d, quantity_of(s, 0), quantity_of(s, 1), a)
+                            : results_ratio(d, quantity_of(s, 0), a, b);
 
     fprintf(because, "%s%.3g here, %.3g in the paper.", s->exponent ? "Exponent " : "",
             ours, s->paper);
@@ -100,7 +100,7 @@ static enum verdict judge(const struct claim *c, const struct study_results *d,
 
 static bool is_busy(const struct study_results *d)
 {
-    return dataset_least(d, QUANTITY_PROCESSOR, WHERE({NULL, NULL})) <
+    return results_least(d, QUANTITY_PROCESSOR, WHERE({NULL, NULL})) <
            MEASUREMENT_PROCESSOR;
 }
 
@@ -231,22 +231,30 @@ enum status claim_each(const struct study_results *d, taker *take, void *context
     return st;
 }
 
-static enum status tell(void *printer, const struct judge_told *told)
+/* Where the statements of a plan go. */
+struct telling {
+    struct printer *printer;
+    struct kept *kept;
+};
+
+static enum status tell(void *context, const struct judge_told *told)
 {
-    kept_told(printer, told);
+    const struct telling *to = context;
+
+    kept_told(to->printer, to->kept, told);
     return STATUS_OK;
 }
 
 enum status claim_tell(const struct study_results *d, const char *folder, struct printer *p,
-                       struct message *why)
+                       struct kept *kept, struct message *why)
 {
     enum status st;
 
-    TRY(dataset_print(d, folder, p, why));
+    TRY(results_print(d, folder, p, why));
     if (claim_find(d->plan->name) == claim_table4)
-        TRY(claim_table4_print(d, p));
-    if (table_format_is_prose(p->format)) {
-        TRY(claim_each(d, tell, p));
+        TRY(claim_table4_print(d, p, why));
+    if (printer_is_prose(p)) {
+        TRY(claim_each(d, tell, &(struct telling){p, kept}));
         if (p->file)
             measurement_machine(d->machine, p->file);
     }

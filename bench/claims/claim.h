@@ -1,7 +1,7 @@
 /* claim.h - a statement of the paper or of ours, and whether the numbers of a plan's
  * studies agree.
  *
- * A claim is a quote and one predicate on the dataset (dataset.h). The claims on a plan
+ * A claim is a quote and one predicate on the dataset (results.h). The claims on a plan
  * stand in bench/claims/PLAN.c, and the table in claim.c names them. A statement that is a
  * ratio or an exponent stands in the plan (struct plan_statement), and one predicate judges
  * all of them.
@@ -12,7 +12,7 @@
 #ifndef CLAIM_H
 #define CLAIM_H
 
-#include "bench/experiment/dataset.h"
+#include "bench/experiment/results.h"
 
 /* Rows that a statement is judged by, where its predicate names none on their axes. */
 struct claim_reading {
@@ -63,12 +63,13 @@ enum status claim_each(const struct study_results *d,
                        enum status (*take)(void *context, const struct judge_told *told),
                        void *context);
 
-/* Prints the plan's tables (dataset_print) and, for people, the claims and the machine. */
+/* Prints the plan's tables (results_print) and, for people, the claims and the machine. */
 enum status claim_tell(const struct study_results *d, const char *folder, struct printer *p,
-                       struct message *why);
+                       struct kept *kept, struct message *why);
 
 /* Prints what the paper's Table 4 has besides: its words beside those of the rules. */
-enum status claim_table4_print(const struct study_results *d, const struct printer *p);
+enum status claim_table4_print(const struct study_results *d, struct printer *p,
+                               struct message *why);
 
 /* The plans with claims: name and list. */
 #define CLAIM_PLANS(X)                                                                     \

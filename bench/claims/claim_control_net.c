@@ -19,7 +19,7 @@ static const struct scene *scene_of(const struct study_results *d, const char *n
  * of the paper's figure. */
 static double saved(const struct study_results *d, enum quantity q)
 {
-    return dataset_ratio(d, q, WHERE({"contact", CONTROL}, {"net", "15"}),
+    return results_ratio(d, q, WHERE({"contact", CONTROL}, {"net", "15"}),
                          WHERE({"contact", "surface"}, {"net", "15"}));
 }
 
@@ -40,11 +40,11 @@ static enum verdict net_saves(const struct study_results *d, FILE *because)
 static enum verdict net_suffices(const struct study_results *d, FILE *because)
 {
     const double half = scene_of(d, "ground")->thickness / 2;
-    const double net = dataset_all_most(d, QUANTITY_PENETRATION,
+    const double net = results_all_most(d, QUANTITY_PENETRATION,
                                         WHERE({"contact", CONTROL}, {"at", "*"})) /
                        half;
     const double surface =
-        dataset_most(d, QUANTITY_PENETRATION, WHERE({"contact", "surface"}, {"at", "*"})) /
+        results_most(d, QUANTITY_PENETRATION, WHERE({"contact", "surface"}, {"at", "*"})) /
         half;
     fprintf(because,
             "The deepest that the body gets into the sheet, of half its thickness, is %.3g "

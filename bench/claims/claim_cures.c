@@ -13,8 +13,8 @@ static double worst(const struct study_results *d, const char *study, const char
 {
     const struct where *where = WHERE({"study", study}, {"space", space});
 
-    return fmax(dataset_most(d, QUANTITY_TIP_OF_REFERENCE, where) - 1,
-                1 - dataset_least(d, QUANTITY_TIP_OF_REFERENCE, where));
+    return fmax(results_most(d, QUANTITY_TIP_OF_REFERENCE, where) - 1,
+                1 - results_least(d, QUANTITY_TIP_OF_REFERENCE, where));
 }
 
 /* Judges all cures in the studies, and writes what a coarser net of the truth moves. */
@@ -51,7 +51,7 @@ static enum verdict clamp_is_why(const struct study_results *d, FILE *because)
     double off[2];
 
     for (int n = 0; n < 2; n++)
-        off[n] = dataset_at(d, QUANTITY_TIP_OF_REFERENCE,
+        off[n] = results_at(d, QUANTITY_TIP_OF_REFERENCE,
                             WHERE({"study", "linear_thick"}, {"poisson", "0.49"},
                                   {"space", n ? "slit" : cures[1]})) -
                  1;
@@ -70,7 +70,7 @@ static double growth(const struct study_results *d, const char *space, FILE *bec
 
     for (int n = 0; n < 2; n++)
         off[n] =
-            fabs(dataset_at(d, QUANTITY_TIP_OF_REFERENCE,
+            fabs(results_at(d, QUANTITY_TIP_OF_REFERENCE,
                             WHERE({"study", "gamma_100"}, {"poisson", "0"},
                                   {"space", space}, {"thickness", n ? "1e-5" : "1e-3"})) -
                  1);
@@ -104,8 +104,8 @@ static enum verdict costs_no_more(const struct study_results *d, FILE *because)
     for (int n = 0; n < CURES; n++) {
         const char *none = n < 1 ? "IGA (2,2,1), none" : "IGA (3,3,1), none";
         const double ratio =
-            dataset_at(d, QUANTITY_FRAME, WHERE({"study", "frame"}, {"space", cures[n]})) /
-            dataset_at(d, QUANTITY_FRAME, WHERE({"study", "frame"}, {"space", none}));
+            results_at(d, QUANTITY_FRAME, WHERE({"study", "frame"}, {"space", cures[n]})) /
+            results_at(d, QUANTITY_FRAME, WHERE({"study", "frame"}, {"space", none}));
         fprintf(because, "%s %.2f of the time with %s", n ? "," : "", ratio, cures[n]);
         most = judge_most(most, ratio);
     }

@@ -20,7 +20,7 @@ static double most_of(const struct study_results *d, const char *level, enum qua
 {
     double value[PLAN_STUDY_TIMES], most = 0;
     const struct where *rows = level ? WHERE({"level", level}) : WHERE({NULL, NULL});
-    const int times = dataset_values(d, q, rows, PLAN_STUDY_TIMES, value);
+    const int times = results_values(d, q, rows, PLAN_STUDY_TIMES, value);
 
     for (int t = 0; t < times; t++)
         most = fmax(most, isnan(value[t]) ? INFINITY : value[t]);
@@ -124,8 +124,8 @@ static enum verdict some_stays(const struct study_results *d, FILE *because)
 {
     double depth[PLAN_STUDY_TIMES], most = 0;
     const int times =
-        dataset_values(d, QUANTITY_DEPTH, WHERE({"at", "*"}), PLAN_STUDY_TIMES, depth);
-    const double end = dataset_at(d, QUANTITY_DEPTH, WHERE({NULL, NULL}));
+        results_values(d, QUANTITY_DEPTH, WHERE({"at", "*"}), PLAN_STUDY_TIMES, depth);
+    const double end = results_at(d, QUANTITY_DEPTH, WHERE({NULL, NULL}));
 
     for (int t = 0; t < times; t++)
         most = judge_most(most, fabs(depth[t]));
@@ -158,7 +158,7 @@ static void swing_of(const struct study_results *d, const char *study, double *m
                      double *after)
 {
     double angle[PLAN_STUDY_TIMES];
-    const int times = dataset_values(
+    const int times = results_values(
         d, QUANTITY_ANGLE, WHERE({"study", study}, {"at", "*"}), PLAN_STUDY_TIMES, angle);
     int top = 0;
 
@@ -182,7 +182,7 @@ static enum verdict swings(const struct study_results *d, const char *study, FIL
             "At the paper's six times the sheet is inclined by %.3g degrees at most, where "
             "%g is plumb, by %.3g at least after that, and in the end it is stretched by a "
             "factor of %.3g.",
-            most, PLUMB, after, dataset_at(d, QUANTITY_STRETCH, WHERE({"study", study})));
+            most, PLUMB, after, results_at(d, QUANTITY_STRETCH, WHERE({"study", study})));
     return judge_both(judge_below(PLUMB, most), judge_below(after, PLUMB));
 }
 
@@ -192,13 +192,13 @@ static enum verdict wrinkles(const struct study_results *d, const char *study,
 {
     const struct where *rows = WHERE({"study", study}, {"at", "*"});
     double rough[PLAN_STUDY_TIMES];
-    const int times = dataset_values(d, QUANTITY_ROUGHNESS, rows, PLAN_STUDY_TIMES, rough);
+    const int times = results_values(d, QUANTITY_ROUGHNESS, rows, PLAN_STUDY_TIMES, rough);
     enum verdict turn = times > 1 ? VERDICT_HOLDS : VERDICT_OPEN;
 
     for (int t = 1; t < times; t++)
         turn = judge_both(turn, judge_below(rough[0], rough[t]));
     fputs("Roughness ", because);
-    dataset_write(d, QUANTITY_ROUGHNESS, rows, because);
+    results_write(d, QUANTITY_ROUGHNESS, rows, because);
     fputs(" at the paper's six times.", because);
     return turn;
 }
@@ -232,26 +232,26 @@ const struct claim claim_drops[] = {
 
 static enum verdict fall_is_flow(const struct study_results *d, FILE *because)
 {
-    const double printed = dataset_at(d, QUANTITY_ANGLE, PRINTED);
-    const double elastic = judge_most(dataset_at(d, QUANTITY_ANGLE, SOLID),
-                                      dataset_at(d, QUANTITY_ANGLE, SHELL));
+    const double printed = results_at(d, QUANTITY_ANGLE, PRINTED);
+    const double elastic = judge_most(results_at(d, QUANTITY_ANGLE, SOLID),
+                                      results_at(d, QUANTITY_ANGLE, SHELL));
 
     fprintf(
         because,
         "The printed scheme's flag sinks by %.3g degrees, stretched by a factor of %.3g; "
         "as an elastic solid or shell with the same E, nu, rho and thickness it sinks by "
         "%.2g degrees at most, stretched by %.4g.",
-        printed, dataset_at(d, QUANTITY_STRETCH, PRINTED), elastic,
-        judge_most(dataset_at(d, QUANTITY_STRETCH, SOLID),
-                   dataset_at(d, QUANTITY_STRETCH, SHELL)));
+        printed, results_at(d, QUANTITY_STRETCH, PRINTED), elastic,
+        judge_most(results_at(d, QUANTITY_STRETCH, SOLID),
+                   results_at(d, QUANTITY_STRETCH, SHELL)));
     return judge_below(2 * elastic, printed);
 }
 
 static enum verdict net_decides(const struct study_results *d, FILE *because)
 {
-    const double fine = dataset_at(d, QUANTITY_STRETCH, PRINTED);
+    const double fine = results_at(d, QUANTITY_STRETCH, PRINTED);
     const double coarse =
-        dataset_at(d, QUANTITY_STRETCH, WHERE({"level", "printed, coarser net"}));
+        results_at(d, QUANTITY_STRETCH, WHERE({"level", "printed, coarser net"}));
 
     fprintf(because,
             "In the end its stretch is %.3g on the coarser net and %.3g on the paper's.",
@@ -262,7 +262,7 @@ static enum verdict net_decides(const struct study_results *d, FILE *because)
 /* Returns the largest roughness of a level over all times; NaN: it died. */
 static double roughest(const struct study_results *d, const char *level)
 {
-    return dataset_all_most(d, QUANTITY_ROUGHNESS, WHERE({"level", level}, {"at", "*"}));
+    return results_all_most(d, QUANTITY_ROUGHNESS, WHERE({"level", level}, {"at", "*"}));
 }
 
 static enum verdict nets_crumple(const struct study_results *d, FILE *because)
@@ -296,16 +296,16 @@ const struct claim claim_flag[] = {
 static enum verdict shows(const struct study_results *d, const char *label,
                           const struct where *row, FILE *because)
 {
-    const double crosses = dataset_at(d, QUANTITY_INTERSECTION_TIME, row);
+    const double crosses = results_at(d, QUANTITY_INTERSECTION_TIME, row);
 
     fprintf(because, "Its largest stretch is %.4g, its largest angle %.3g degrees, ",
-            dataset_at(d, QUANTITY_STRETCH_MAX, row),
-            dataset_at(d, QUANTITY_ANGLE_MAX, row));
+            results_at(d, QUANTITY_STRETCH_MAX, row),
+            results_at(d, QUANTITY_ANGLE_MAX, row));
     if (isnan(crosses))
         fputs("and it does not cross itself.", because);
     else
         fprintf(because, "and it crosses itself at %.3g s.", crosses);
-    return dataset_verdict(d, label, row);
+    return results_verdict(d, label, row);
 }
 
 CLAIM_JUDGE(row_14_is_normal,
@@ -344,7 +344,7 @@ static enum verdict comes_to_rest(const struct study_results *d, FILE *because)
              s->gravity[2] * s->gravity[2]) *
         s->step;
     const double speed =
-        dataset_at(d, QUANTITY_SPEED_END, WHERE({"level", "IGA, printed (the paper's)"}));
+        results_at(d, QUANTITY_SPEED_END, WHERE({"level", "IGA, printed (the paper's)"}));
 
     fprintf(because,
             "In the end the printed sheet moves at %.3g m/s on average; gravity gives %.3g "
@@ -355,7 +355,7 @@ static enum verdict comes_to_rest(const struct study_results *d, FILE *because)
 
 static enum verdict avoids_itself(const struct study_results *d, FILE *because)
 {
-    const double first = dataset_least(d, QUANTITY_INTERSECTION_TIME, WHERE({NULL, NULL}));
+    const double first = results_least(d, QUANTITY_INTERSECTION_TIME, WHERE({NULL, NULL}));
 
     if (isnan(first)) {
         fputs("No sheet passes through itself.", because);

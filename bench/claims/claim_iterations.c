@@ -10,7 +10,7 @@ static const double SOFT = 0.25, ALIKE = 0.9;
 static double softened(const struct study_results *d, const char *contestant,
                        const char *iterations)
 {
-    return dataset_ratio(d, QUANTITY_STIFFNESS,
+    return results_ratio(d, QUANTITY_STIFFNESS,
                          WHERE({"study", "hanging"}, {"contestant", contestant},
                                {"substeps", "1"}, {"iterations", iterations}),
                          WHERE({"study", "hanging"}, {"contestant", contestant},
@@ -36,7 +36,7 @@ static enum verdict projective_does_not(const struct study_results *d, FILE *bec
 static double error(const struct study_results *d, const char *contestant,
                     const char *substeps, const char *iterations)
 {
-    return dataset_at(d, QUANTITY_ERROR,
+    return results_at(d, QUANTITY_ERROR,
                       WHERE({"study", "edge_drop"}, {"contestant", contestant},
                             {"net", "11x11"}, {"substeps", substeps},
                             {"iterations", iterations}));
@@ -60,7 +60,7 @@ static enum verdict substeps_pay(const struct study_results *d, FILE *because)
 static enum verdict energy_is_won(const struct study_results *d, FILE *because)
 {
     const double most =
-        dataset_all_most(d, QUANTITY_LOSS,
+        results_all_most(d, QUANTITY_LOSS,
                          WHERE({"study", "edge_drop"}, {"contestant", "!CG"},
                                {"net", "21x21"}, {"substeps", "1"}, {"iterations", "4"}));
 

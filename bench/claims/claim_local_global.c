@@ -7,7 +7,7 @@
 static double left(const struct study_results *d, const char *study, const char *method,
                    const char *iterations)
 {
-    return dataset_at(d, QUANTITY_APART,
+    return results_at(d, QUANTITY_APART,
                       WHERE({"study", study}, {"time", "Euler"}, {"step", "5 ms"},
                             {"method", method}, {"iterations", iterations}));
 }
@@ -15,7 +15,7 @@ static double left(const struct study_results *d, const char *study, const char 
 /* Returns how far frames of 5 ms, iterated to their end, are from small steps. */
 static double step_takes(const struct study_results *d, const char *study, const char *time)
 {
-    return dataset_apart(
+    return results_apart(
         d, WHERE({"study", study}, {"time", time}, {"step", "5 ms"}, {"iterations", "end"}),
         WHERE({"study", study}, {"step", "small"}, {"iterations", "end"}));
 }
@@ -61,7 +61,7 @@ static double step_or_net(const struct study_results *d, const char *study,
 {
     return fmax(
         step_takes(d, study, time),
-        dataset_at(d, QUANTITY_ERROR,
+        results_at(d, QUANTITY_ERROR,
                    WHERE({"study", study}, {"step", "small"}, {"iterations", "end"})));
 }
 

@@ -15,7 +15,7 @@ enum { MOST = 16 }; /* thicknesses */
 static double tip(const struct study_results *d, const char *space, const char *poisson,
                   const char *thickness)
 {
-    return dataset_at(
+    return results_at(
         d, QUANTITY_TIP,
         WHERE({"space", space}, {"poisson", poisson}, {"thickness", thickness}));
 }
@@ -23,7 +23,7 @@ static double tip(const struct study_results *d, const char *space, const char *
 /* Returns the tip at nu = 0.3 over that at nu = 0, where only shear locks, at 1 mm. */
 static double through(const struct study_results *d, const char *space)
 {
-    return dataset_at(d, QUANTITY_TIP_OF_REFERENCE,
+    return results_at(d, QUANTITY_TIP_OF_REFERENCE,
                       WHERE({"space", space}, {"poisson", "0.3"}, {"thickness", "1 mm"}));
 }
 
@@ -44,7 +44,7 @@ static enum verdict thinner_locks(const struct study_results *d, FILE *because)
 {
     static const char *const space = "IGA (2,2,1) 10x10x2";
     const char *thickness[MOST];
-    const int count = dataset_labels(d, "thickness", MOST, thickness);
+    const int count = results_labels(d, "thickness", MOST, thickness);
     double tips[MOST];
 
     fputs("At nu = 0 it has", because);

@@ -17,16 +17,16 @@ static enum verdict judge_sheet(const struct study_results *d, enum quantity q,
 {
     const struct where *sheet = WHERE({NULL, NULL});
     double value[LEVELS];
-    const int count = dataset_values(d, q, sheet, LEVELS, value);
+    const int count = results_values(d, q, sheet, LEVELS, value);
 
     fprintf(because, "The levels have %s of ",
             q == QUANTITY_ROUGHNESS ? "a roughness" : "an unevenness");
-    dataset_write(d, q, sheet, because);
+    results_write(d, q, sheet, because);
     if (q == QUANTITY_ROUGHNESS) {
         fputs(" (away from edges ", because);
-        dataset_write(d, QUANTITY_INNER, sheet, because);
+        results_write(d, QUANTITY_INNER, sheet, because);
         fputs("), stretch ", because);
-        dataset_write(d, QUANTITY_STRETCH, sheet, because);
+        results_write(d, QUANTITY_STRETCH, sheet, because);
     }
     fputs(".", because);
     return judge(count, value);
@@ -69,10 +69,10 @@ OF_SHEET(elevation_smooths, QUANTITY_UNEVENNESS, elevated_less)
 static double write_errors(const struct study_results *d, FILE *because)
 {
     const struct where *sheet = WHERE({"study", "physics"});
-    const double bar = dataset_most(d, QUANTITY_BAR, sheet);
+    const double bar = results_most(d, QUANTITY_BAR, sheet);
 
     fputs("Undamped, at 0.5 s: error ", because);
-    dataset_write(d, QUANTITY_ERROR, sheet, because);
+    results_write(d, QUANTITY_ERROR, sheet, because);
     fprintf(because, " L (error bar %.1g).", bar);
     return 2 * bar;
 }
@@ -81,7 +81,7 @@ static enum verdict errors_fall(const struct study_results *d, FILE *because)
 {
     double error[LEVELS];
     const int count =
-        dataset_values(d, QUANTITY_ERROR, WHERE({"study", "physics"}), LEVELS, error);
+        results_values(d, QUANTITY_ERROR, WHERE({"study", "physics"}), LEVELS, error);
 
     return judge_order(count, error, -1, write_errors(d, because));
 }
@@ -91,7 +91,7 @@ static enum verdict both_raise_accuracy(const struct study_results *d, FILE *bec
     const double bar = write_errors(d, because);
     double error[LEVELS] = {NAN, NAN, NAN, NAN};
 
-    dataset_values(d, QUANTITY_ERROR, WHERE({"study", "physics"}), LEVELS, error);
+    results_values(d, QUANTITY_ERROR, WHERE({"study", "physics"}), LEVELS, error);
     return judge_both(judge_order(2, (double[]){error[START], error[REFINED]}, -1, bar),
                       judge_order(2, (double[]){error[START], error[ELEVATED]}, -1, bar));
 }
@@ -107,7 +107,7 @@ static double orders_apart(const struct study_results *d, const char *first,
     double most = 0;
 
     for (int t = 0; t < TIMES; t++)
-        most = judge_most(most, dataset_apart(d, WHERE({"level", first}, {"at", at[t]}),
+        most = judge_most(most, results_apart(d, WHERE({"level", first}, {"at", at[t]}),
                                               WHERE({"level", last}, {"at", at[t]})));
     return most;
 }
@@ -118,8 +118,8 @@ static enum verdict orders_agree(const struct study_results *d, const char *firs
     const double apart = orders_apart(d, first, last);
 
     fprintf(because, "%g and %g unknowns; the motions differ by up to %.2g L until 0.2 s.",
-            dataset_at(d, QUANTITY_UNKNOWNS, WHERE({"level", first})),
-            dataset_at(d, QUANTITY_UNKNOWNS, WHERE({"level", last})), apart);
+            results_at(d, QUANTITY_UNKNOWNS, WHERE({"level", first})),
+            results_at(d, QUANTITY_UNKNOWNS, WHERE({"level", last})), apart);
     return judge_below(apart, SAME);
 }
 

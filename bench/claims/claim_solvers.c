@@ -15,8 +15,8 @@ static enum verdict iterations_pay(const struct study_results *d, const char *st
                                    FILE *because)
 {
     const char *net[NETS], *solver[METHODS];
-    const int nets = dataset_labels(d, "net", NETS, net);
-    const int solvers = dataset_labels(d, "solver", METHODS, solver);
+    const int nets = results_labels(d, "net", NETS, net);
+    const int solvers = results_labels(d, "solver", METHODS, solver);
     enum verdict turn = nets ? VERDICT_HOLDS : VERDICT_OPEN;
 
     for (int n = 0; n < nets; n++) {
@@ -24,7 +24,7 @@ static enum verdict iterations_pay(const struct study_results *d, const char *st
         const char *name = "none";
         for (int m = 0; m < solvers; m++) {
             const double ratio =
-                dataset_at(d, QUANTITY_OF_REFERENCE,
+                results_at(d, QUANTITY_OF_REFERENCE,
                            WHERE({"study", study}, {"net", net[n]}, {"solver", solver[m]}));
             if (solver[m][0] != 'd' && (ratio < best || isnan(best)))
                 best = ratio, name = isnan(ratio) ? name : solver[m];
@@ -42,7 +42,7 @@ CLAIM_JUDGE(nonlinear_iterations_pay, iterations_pay(d, "nonlinear", because))
 
 static enum verdict keeping_pays(const struct study_results *d, FILE *because)
 {
-    const double least = dataset_least(d, QUANTITY_OF_REFERENCE,
+    const double least = results_least(d, QUANTITY_OF_REFERENCE,
                                        WHERE({"solver", "direct, every tangent new"}));
 
     fprintf(because, "New ones in each iteration take at least %.3g of the time.", least);
@@ -61,7 +61,7 @@ static enum verdict growth_is_small(const struct study_results *d, FILE *because
     double growth[2];
 
     for (int n = 0; n < 2; n++)
-        growth[n] = dataset_exponent(
+        growth[n] = results_exponent(
             d, QUANTITY_UNKNOWNS, QUANTITY_FRAME,
             WHERE({"study", "printed"}, {"solver", solvers[n]}, {"net", "!40x40x2"}));
     fprintf(
@@ -74,7 +74,7 @@ static enum verdict growth_is_small(const struct study_results *d, FILE *because
 
 static enum verdict motion_is_one(const struct study_results *d, FILE *because)
 {
-    const double most = dataset_most(d, QUANTITY_APART, WHERE({NULL, NULL}));
+    const double most = results_most(d, QUANTITY_APART, WHERE({NULL, NULL}));
 
     fprintf(because, "They differ from the direct one by %.2g L at most (%.2g L allowed).",
             most, SAME);
@@ -105,11 +105,11 @@ static const double SUFFICES = 0.5;
 static enum verdict best_of(const struct study_results *d, const char *net, FILE *because)
 {
     const char *solver[METHODS], *name = "none";
-    const int solvers = dataset_labels(d, "solver", METHODS, solver);
+    const int solvers = results_labels(d, "solver", METHODS, solver);
     double best = NAN;
 
     for (int m = 0; m < solvers; m++) {
-        const double ratio = dataset_at(d, QUANTITY_OF_REFERENCE,
+        const double ratio = results_at(d, QUANTITY_OF_REFERENCE,
                                         WHERE({"net", net}, {"solver", solver[m]}));
         if ((solver[m][0] == 'C' || solver[m][0] == 'G') && !isnan(ratio) &&
             !(ratio >= best))
@@ -117,7 +117,7 @@ static enum verdict best_of(const struct study_results *d, const char *net, FILE
     }
     fprintf(because, "%s: %s takes %.3g of the direct solver's time, ours %.3g", net, name,
             best,
-            dataset_at(d, QUANTITY_OF_REFERENCE,
+            results_at(d, QUANTITY_OF_REFERENCE,
                        WHERE({"net", net}, {"solver", "ours: CG, last factor"})));
     return judge_below(SUFFICES, best);
 }
@@ -125,7 +125,7 @@ static enum verdict best_of(const struct study_results *d, const char *net, FILE
 static enum verdict direct_suffices(const struct study_results *d, FILE *because)
 {
     const char *net[NETS];
-    const int nets = dataset_labels(d, "net", NETS, net);
+    const int nets = results_labels(d, "net", NETS, net);
     enum verdict turn = nets ? VERDICT_HOLDS : VERDICT_OPEN;
 
     fputs("The best of those that it names, ", because);

@@ -43,7 +43,7 @@ static int ours_at(const struct study_results *d, const struct where *row)
     int bits = 0;
 
     for (int n = 0; n < ANSWERS; n++) {
-        const enum verdict is = dataset_verdict(d, n ? name_of(n) : NULL, row);
+        const enum verdict is = results_verdict(d, n ? name_of(n) : NULL, row);
         if (is == VERDICT_OPEN)
             return -1;
         bits |= (is == VERDICT_HOLDS) << n;
@@ -116,7 +116,7 @@ static int two_bounds(int answer)
 /* --- The tables. */
 
 /* Writes "yes" or "no: over-stretched, penetration". */
-static void words_cell(struct table *t, int answers)
+static void words_cell(struct dataset *t, int answers)
 {
     char text[128];
 
@@ -128,25 +128,25 @@ static void words_cell(struct table *t, int answers)
         if (answers >> n & 1)
             snprintf(text + strlen(text), sizeof text - strlen(text), "%s%s",
                      strchr(text, ':') ? ", " : ": ", name_of(n));
-    table_add(t, "%s", text);
+    dataset_add(t, "%s", text);
 }
 
-static struct table *words_table(const struct study_results *d)
+static struct dataset *words_table(const struct study_results *d)
 {
-    static const struct table_column columns[] = {{"row"},
-                                                  {"E", "Pa"},
-                                                  {"rho", "kg/m^3"},
-                                                  {"mu"},
-                                                  {"ours, flag", NULL, TABLE_LEFT},
-                                                  {"ours, edge_drop", NULL, TABLE_LEFT},
-                                                  {"paper", NULL, TABLE_LEFT}};
-    struct table *t =
-        TABLE_OF(columns, "Feasible, and if not, why: the paper's scheme by the "
-                          "rules, and the paper");
+    static const struct dataset_column columns[] = {{"row"},
+                                                    {"E", "Pa"},
+                                                    {"rho", "kg/m^3"},
+                                                    {"mu"},
+                                                    {"ours, flag", NULL, DATASET_LEFT},
+                                                    {"ours, edge_drop", NULL, DATASET_LEFT},
+                                                    {"paper", NULL, DATASET_LEFT}};
+    struct dataset *t =
+        DATASET_OF(columns, "Feasible, and if not, why: the paper's scheme by the "
+                            "rules, and the paper");
 
     for (int row = 0; row < ROWS; row++) {
         const struct paper_table4_row *p = &paper_table4[row];
-        table_line(t, "%d|%.1g|%.1g|%.1g", row + 1, p->young, p->density, p->damping);
+        dataset_line(t, "%d|%.1g|%.1g|%.1g", row + 1, p->young, p->density, p->damping);
         for (int s = 0; s < SCENES; s++)
             words_cell(t, ours(d, PRINTED, s, row));
         words_cell(t, papers(row));
@@ -154,56 +154,57 @@ static struct table *words_table(const struct study_results *d)
     return t;
 }
 
-static struct table *counts_table(const struct study_results *d)
+static struct dataset *counts_table(const struct study_results *d)
 {
     enum { BEFORE = 2, MOST = 16 };
-    struct table_column columns[BEFORE + ANSWERS] = {{"reading", NULL, TABLE_LEFT},
-                                                     {"scene", NULL, TABLE_LEFT}};
+    struct dataset_column columns[BEFORE + ANSWERS] = {{"reading", NULL, DATASET_LEFT},
+                                                       {"scene", NULL, DATASET_LEFT}};
     const char *reading[MOST];
-    const int readings = dataset_labels(d, "reading", MOST, reading) - 1; /* not fourfold */
+    const int readings = results_labels(d, "reading", MOST, reading) - 1; /* not fourfold */
 
     for (int n = 0; n < ANSWERS; n++)
         columns[BEFORE + n].header = name_of(n);
-    struct table *t =
-        TABLE_OF(columns, "Physics, or the scheme's? Rows of 18 that are called "
-                          "so, and that are judged as the paper judges them");
+    struct dataset *t =
+        DATASET_OF(columns, "Physics, or the scheme's? Rows of 18 that are called "
+                            "so, and that are judged as the paper judges them");
     for (int r = 0; r < SCENES * readings; r++) {
-        table_line(t, "%s|%s", reading[r / SCENES], scene_name[r % SCENES]);
+        dataset_line(t, "%s|%s", reading[r / SCENES], scene_name[r % SCENES]);
         for (int n = 0; n < ANSWERS; n++) {
             const struct count c = count(d, reading[r / SCENES], r % SCENES, n);
-            table_add(t, "%d, %d", c.called, c.agree);
+            dataset_add(t, "%d, %d", c.called, c.agree);
         }
     }
     return t;
 }
 
-static struct table *hindsight_table(const struct study_results *d)
+static struct dataset *hindsight_table(const struct study_results *d)
 {
-    static const struct table_column columns[] = {
-        {"answer", NULL, TABLE_LEFT},
+    static const struct dataset_column columns[] = {
+        {"answer", NULL, DATASET_LEFT},
         {"paper's rows"},
         {"always no"},
         {"two bounds on E/rho", .key = "ratio_bounds"}};
-    struct table *t =
-        TABLE_OF(columns, "In hindsight: rows of 18 that `no` to all and that "
-                          "two bounds on E/rho alone get right");
+    struct dataset *t =
+        DATASET_OF(columns, "In hindsight: rows of 18 that `no` to all and that "
+                            "two bounds on E/rho alone get right");
 
     for (int n = 0; n < ANSWERS; n++) {
         const int paper = count(d, PRINTED, FLAG, n).paper;
-        table_line(t, "%s|%d|%d|%d", name_of(n), paper, ROWS - paper, two_bounds(n));
+        dataset_line(t, "%s|%d|%d|%d", name_of(n), paper, ROWS - paper, two_bounds(n));
     }
     return t;
 }
 
-enum status claim_table4_print(const struct study_results *d, const struct printer *p)
+enum status claim_table4_print(const struct study_results *d, struct printer *p,
+                               struct message *why)
 {
     enum status st = STATUS_OK;
 
     if (d->quick) /* whose runs are given no verdicts */
         return STATUS_OK;
-    TRY(kept_table(p, words_table(d)));
-    TRY(kept_table(p, counts_table(d)));
-    TRY(kept_table(p, hindsight_table(d)));
+    TRY(printer_table(p, words_table(d), NULL, why));
+    TRY(printer_table(p, counts_table(d), NULL, why));
+    TRY(printer_table(p, hindsight_table(d), NULL, why));
 out:
     return st;
 }
@@ -326,9 +327,9 @@ static enum verdict dash_is_failure(const struct study_results *d, FILE *because
     int missing = 0;
 
     for (int row = 13; row < 15; row++) {
-        const double end = dataset_at(d, QUANTITY_END_TIME, HERE(row));
+        const double end = results_at(d, QUANTITY_END_TIME, HERE(row));
         missing += isnan(end);
-        died = fmin(died, dataset_at(d, QUANTITY_BLOWUP_TIME, HERE(row)));
+        died = fmin(died, results_at(d, QUANTITY_BLOWUP_TIME, HERE(row)));
     }
     if (isfinite(died))
         fprintf(because, "The first of them dies at %.3g s.", died);
@@ -367,8 +368,8 @@ static enum verdict stretch_is_physics(const struct study_results *d, FILE *beca
     fprintf(because,
             "A strip that hangs by its end stretches by %.2g at most in these rows, the "
             "shell, in motion, by a factor of %.3f. ",
-            dataset_most(d, QUANTITY_HANGING_STRAIN, WHERE({"reading", PRINTED})),
-            dataset_most(d, QUANTITY_STRETCH_MAX, WHERE({"reading", SHELL})));
+            results_most(d, QUANTITY_HANGING_STRAIN, WHERE({"reading", PRINTED})),
+            results_most(d, QUANTITY_STRETCH_MAX, WHERE({"reading", SHELL})));
     return physics(d, PAPER_OVER_STRETCHED, because);
 }
 
@@ -385,13 +386,13 @@ static enum verdict one_parameter(const struct study_results *d, FILE *because)
     for (int n = 0; n < COUNT(row); n++)
         most = judge_most(
             most,
-            dataset_apart(d, WHERE({"reading", "printed, fourfold"}, {"row", row[n]}),
+            results_apart(d, WHERE({"reading", "printed, fourfold"}, {"row", row[n]}),
                           WHERE({"reading", PRINTED}, {"scene", "flag"}, {"row", row[n]})));
     fprintf(because,
             "Gravity is the only load, and so rho divides out of the printed scheme: with "
             "four times the E and four times the rho rows 4, 7 and 14 are %.2g L away from "
             "where they were at %.2g s, at most.",
-            most, dataset_most(d, QUANTITY_END_TIME, WHERE({"reading", PRINTED})));
+            most, results_most(d, QUANTITY_END_TIME, WHERE({"reading", PRINTED})));
     return isnan(most) ? VERDICT_OPEN : most == 0 ? VERDICT_HOLDS : VERDICT_FAILS;
 }
 
@@ -412,8 +413,8 @@ static enum verdict crossings_tell(const struct study_results *d, FILE *because)
                 scene_name[s]);
         if (c.called)
             fprintf(because, " (first at %.3g to %.3g s)",
-                    dataset_least(d, QUANTITY_INTERSECTION_TIME, where),
-                    dataset_most(d, QUANTITY_INTERSECTION_TIME, where));
+                    results_least(d, QUANTITY_INTERSECTION_TIME, where),
+                    results_most(d, QUANTITY_INTERSECTION_TIME, where));
     }
     fprintf(because,
             ", as the paper has it in %d rows at best; `no` to all is right in %d.", most,
@@ -441,7 +442,7 @@ static enum verdict row_7_is_chaos(const struct study_results *d, FILE *because)
         others += so && row != 6;
     }
     fputs(others + row_7 ? "; " : "No row is; ", because);
-    const double died = dataset_at(d, QUANTITY_BLOWUP_TIME, HERE(6));
+    const double died = results_at(d, QUANTITY_BLOWUP_TIME, HERE(6));
     if (isnan(died))
         fputs("row 7 lives to its end.", because);
     else
@@ -453,8 +454,8 @@ static enum verdict row_7_is_chaos(const struct study_results *d, FILE *because)
 static enum verdict it_flows(const struct study_results *d, FILE *because)
 {
     const struct where *rows = WHERE({"reading", PRINTED}, {"scene", "flag"});
-    const double shell = dataset_at(d, QUANTITY_ANGLE_MAX, AT(SHELL, FLAG, 3));
-    const double printed = dataset_at(d, QUANTITY_ANGLE_MAX, AT(PRINTED, FLAG, 3));
+    const double shell = results_at(d, QUANTITY_ANGLE_MAX, AT(SHELL, FLAG, 3));
+    const double printed = results_at(d, QUANTITY_ANGLE_MAX, AT(PRINTED, FLAG, 3));
 
     fprintf(
         because,
@@ -463,9 +464,9 @@ static enum verdict it_flows(const struct study_results *d, FILE *because)
         "shell, an elastic sheet "
         "with these numbers, sinks with its middle line by %.2g degrees at most on flag "
         "in row 4, the printed one's by %.3g.",
-        dataset_least(d, QUANTITY_GAMMA, rows), dataset_most(d, QUANTITY_GAMMA, rows),
+        results_least(d, QUANTITY_GAMMA, rows), results_most(d, QUANTITY_GAMMA, rows),
         shell, printed);
-    return judge_both(judge_below(dataset_most(d, QUANTITY_GAMMA, rows), 5e4),
+    return judge_both(judge_below(results_most(d, QUANTITY_GAMMA, rows), 5e4),
                       judge_below(shell, printed));
 }
 

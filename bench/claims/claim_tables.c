@@ -21,19 +21,19 @@ enum { NETS = 12 };
 static enum verdict criterion(const struct study_results *d, FILE *because)
 {
     const char *net[NETS], *first = NULL;
-    const int nets = dataset_labels(d, "net", NETS, net);
+    const int nets = results_labels(d, "net", NETS, net);
     enum verdict turn = VERDICT_OPEN;
 
     fputs("Largest RMSE over L:", because);
     for (int n = 0; n < nets; n++) {
-        const double apart = dataset_all_most(d, QUANTITY_APART, OF("hex", net[n]));
+        const double apart = results_all_most(d, QUANTITY_APART, OF("hex", net[n]));
         if (isnan(apart))
             continue;
         fprintf(because, " %.2g (%s)", apart, net[n]);
         if (!first && apart <= PAPER_TABLE1_RMSE)
             first = net[n];
     }
-    if (!isnan(dataset_all_most(d, QUANTITY_APART, FEM)))
+    if (!isnan(results_all_most(d, QUANTITY_APART, FEM)))
         turn = first && !strcmp(first, PAPER_TABLE1_NET) ? VERDICT_HOLDS : VERDICT_FAILS;
     fprintf(because, "; the first net within 0.04: %s.", first ? first : "none");
     return turn;
@@ -42,15 +42,15 @@ static enum verdict criterion(const struct study_results *d, FILE *because)
 /* Compares with the cheapest hexahedra that are as near to the plate at rest as IGA. */
 static enum verdict equal_error(const struct study_results *d, FILE *because)
 {
-    const double iga = dataset_at(d, QUANTITY_OFF, AT_REST("iga", "10x10x2"));
+    const double iga = results_at(d, QUANTITY_OFF, AT_REST("iga", "10x10x2"));
     const char *net[NETS], *cheapest = "none";
-    const int nets = dataset_labels(d, "net", NETS, net);
+    const int nets = results_labels(d, "net", NETS, net);
     double least = NAN, off = NAN;
 
     for (int n = 0; n < nets; n++) {
-        const double hex = dataset_at(d, QUANTITY_OFF, AT_REST("hex incompatible", net[n]));
+        const double hex = results_at(d, QUANTITY_OFF, AT_REST("hex incompatible", net[n]));
         const double cost =
-            dataset_ratio(d, QUANTITY_FRAME, PRINTED("hex incompatible", net[n]),
+            results_ratio(d, QUANTITY_FRAME, PRINTED("hex incompatible", net[n]),
                           PRINTED("iga", "10x10x2"));
         if (hex <= iga && !isnan(cost) && !(cost >= least))
             least = cost, off = hex, cheapest = net[n];
@@ -66,7 +66,7 @@ static enum verdict equal_error(const struct study_results *d, FILE *because)
 /* Judges whether a shell is as near to the plate as the paper takes for one look. */
 static enum verdict is_similar(const struct study_results *d, FILE *because)
 {
-    const double apart = dataset_all_most(d, QUANTITY_APART, WHERE({"net", "10x10"}));
+    const double apart = results_all_most(d, QUANTITY_APART, WHERE({"net", "10x10"}));
 
     fprintf(because, "Largest RMSE over L %.2g, where 0.04 is the same look.", apart);
     return judge_below(apart, PAPER_TABLE1_RMSE);
@@ -76,8 +76,8 @@ static enum verdict is_similar(const struct study_results *d, FILE *because)
 static enum verdict both_right(const struct study_results *d, FILE *because)
 {
     static const double RIGHT = 0.1;
-    const double iga = dataset_at(d, QUANTITY_OFF, AT_REST("iga", "10x10x2"));
-    const double hex = dataset_at(d, QUANTITY_OFF, AT_REST("hex", PAPER_TABLE1_NET));
+    const double iga = results_at(d, QUANTITY_OFF, AT_REST("iga", "10x10x2"));
+    const double hex = results_at(d, QUANTITY_OFF, AT_REST("hex", PAPER_TABLE1_NET));
 
     fprintf(because,
             "At rest IGA 10x10x2 is %.3g off, hexahedra " PAPER_TABLE1_NET " %.3g: the "
@@ -93,8 +93,8 @@ static enum verdict both_right(const struct study_results *d, FILE *because)
 
 static enum verdict cured_converge(const struct study_results *d, FILE *because)
 {
-    const double from = dataset_at(d, QUANTITY_APART, CURED("10x10x2"));
-    const double to = dataset_at(d, QUANTITY_APART, CURED("40x40x2"));
+    const double from = results_at(d, QUANTITY_APART, CURED("10x10x2"));
+    const double to = results_at(d, QUANTITY_APART, CURED("40x40x2"));
 
     fprintf(because, "At 0.4 s 10x10x2 is %.2g L away, 40x40x2 %.2g L.", from, to);
     return judge_below(to, from);
@@ -141,7 +141,7 @@ const struct claim claim_table1[] = {
 
 static double growth(const struct study_results *d, enum quantity q)
 {
-    return dataset_exponent(d, QUANTITY_CONTROL_POINTS, q,
+    return results_exponent(d, QUANTITY_CONTROL_POINTS, q,
                             WHERE({"study", "fig12*"}, {"kinematics", "printed"}));
 }
 

@@ -12,7 +12,7 @@
 /* Returns the swing of a study, NULL: the reading's. */
 static double swing(const struct study_results *d, const char *study, const char *thickness)
 {
-    return dataset_at(d, QUANTITY_SWING,
+    return results_at(d, QUANTITY_SWING,
                       study ? WHERE({"study", study}, {"thickness", thickness})
                             : WHERE({"thickness", thickness}));
 }
@@ -29,9 +29,9 @@ static enum verdict thin_swings(const struct study_results *d, FILE *because)
  */
 static enum verdict cloak_stretches(const struct study_results *d, FILE *because)
 {
-    const double thin = dataset_at(d, QUANTITY_EDGE_MOVED,
+    const double thin = results_at(d, QUANTITY_EDGE_MOVED,
                                    WHERE({"study", "linear"}, {"thickness", "1 mm"}));
-    const double thick = dataset_at(d, QUANTITY_EDGE_MOVED,
+    const double thick = results_at(d, QUANTITY_EDGE_MOVED,
                                     WHERE({"study", "linear"}, {"thickness", "5 mm"}));
 
     fprintf(because,
@@ -70,7 +70,7 @@ const struct claim claim_thickness[] = {
 
 static double shell(const struct study_results *d, const char *thickness, const char *net)
 {
-    return dataset_at(d, QUANTITY_SWING, WHERE({"thickness", thickness}, {"net", net}));
+    return results_at(d, QUANTITY_SWING, WHERE({"thickness", thickness}, {"net", net}));
 }
 
 /* The difference of its nets is the error bar of each. */
@@ -97,7 +97,7 @@ const struct claim claim_thickness_shell[] = {
  * study; the cloak is 1 m long. */
 static double farthest(const struct study_results *d, const char *study)
 {
-    return dataset_all_most(d, QUANTITY_FINEST,
+    return results_all_most(d, QUANTITY_FINEST,
                             study ? WHERE({"study", study}, {"level", "r = 1"}, {"at", "*"})
                                   : WHERE({"level", "r = 1"}, {"at", "*"}));
 }
@@ -118,10 +118,10 @@ static enum verdict linear_is_cheaper(const struct study_results *d, FILE *becau
 {
     const struct where *cloak = WHERE({"study", "cloak"});
     double ms[3];
-    const int count = dataset_values(d, QUANTITY_FRAME, cloak, 3, ms);
+    const int count = results_values(d, QUANTITY_FRAME, cloak, 3, ms);
 
     fputs("A frame costs ", because);
-    dataset_write(d, QUANTITY_FRAME, cloak, because);
+    results_write(d, QUANTITY_FRAME, cloak, because);
     fputs(" ms with r = 1, 2, 3.", because);
     return judge_order(count, ms, 1, 0);
 }
@@ -133,7 +133,7 @@ static enum verdict degree_helps(const struct study_results *d, FILE *because)
 {
     double off[3] = {NAN, NAN, NAN};
 
-    dataset_values(d, QUANTITY_TIP, WHERE({"study", "plate"}), 3, off);
+    results_values(d, QUANTITY_TIP, WHERE({"study", "plate"}), 3, off);
     for (int n = 0; n < 3; n++)
         off[n] = fabs(off[n] - 1);
     fprintf(

@@ -19,13 +19,13 @@ static const double SETTLES = 0.5;
  * observed order, if the motion has a limit. */
 static double exponent(const struct study_results *d, enum quantity q, const char *study)
 {
-    return dataset_exponent(d, QUANTITY_SIZE, q, WHERE({"study", study}));
+    return results_exponent(d, QUANTITY_SIZE, q, WHERE({"study", study}));
 }
 
 static double at(const struct study_results *d, enum quantity q, const char *study,
                  const char *step)
 {
-    return dataset_at(d, q, WHERE({"study", study}, {"step", step}));
+    return results_at(d, q, WHERE({"study", study}, {"step", step}));
 }
 
 /* A rate gives the same motion at every step, up to an error that falls with the step. */
@@ -46,12 +46,12 @@ static enum verdict scale_is_none(const struct study_results *d, FILE *because)
 static enum verdict step_is_free(const struct study_results *d, FILE *because)
 {
     const struct where *all = WHERE({NULL, NULL});
-    const double order = dataset_exponent(d, QUANTITY_SIZE, QUANTITY_NEXT, all);
+    const double order = results_exponent(d, QUANTITY_SIZE, QUANTITY_NEXT, all);
 
     fputs("Halving the step moves the sheet by ", because);
-    dataset_write(d, QUANTITY_NEXT, WHERE({"step", "!0.625 ms"}), because);
+    results_write(d, QUANTITY_NEXT, WHERE({"step", "!0.625 ms"}), because);
     fprintf(because, " L at 0.4 s, as dt^%.2f; its largest stretch is ", order);
-    dataset_write(d, QUANTITY_STRETCH, all, because);
+    results_write(d, QUANTITY_STRETCH, all, because);
     fputs(" from 10 to 0.625 ms.", because);
     return judge_below(SETTLES, order);
 }
@@ -59,7 +59,7 @@ static enum verdict step_is_free(const struct study_results *d, FILE *because)
 static enum verdict is_stable(const struct study_results *d, FILE *because)
 {
     double death[STEPS];
-    const int count = dataset_values(d, QUANTITY_DEATH, WHERE({NULL, NULL}), STEPS, death);
+    const int count = results_values(d, QUANTITY_DEATH, WHERE({NULL, NULL}), STEPS, death);
     int dead = 0;
 
     for (int n = 0; n < count; n++)
@@ -67,7 +67,7 @@ static enum verdict is_stable(const struct study_results *d, FILE *because)
     fprintf(because, "The scheme dies at %d of %d steps%s", dead, count,
             dead ? ", after " : ".");
     if (dead) {
-        dataset_write(d, QUANTITY_DEATH, WHERE({NULL, NULL}), because);
+        results_write(d, QUANTITY_DEATH, WHERE({NULL, NULL}), because);
         fputs(" s.", because);
     }
     return !count ? VERDICT_OPEN : dead ? VERDICT_FAILS : VERDICT_HOLDS;
@@ -86,11 +86,11 @@ static double fall_off(const struct study_results *d)
         const double theory = g * (1 + mu[n / 2]) / (2 * (1 - mu[n / 2]));
         const double step = 1e-3 * strtod(dt[n % 2], NULL);
         double printed[3] = {NAN, NAN, NAN};
-        dataset_values(d, QUANTITY_SPEED,
+        results_values(d, QUANTITY_SPEED,
                        WHERE({"scheme", "printed"}, {"mu", label[n / 2]}, {"dt", dt[n % 2]},
                              {"at", "*"}),
                        3, printed);
-        const double speed = dataset_at(
+        const double speed = results_at(
             d, QUANTITY_SPEED,
             WHERE({"scheme", "incremental"}, {"mu", label[n / 2]}, {"dt", dt[n % 2]}));
         off = judge_most(off, fabs((printed[2] - printed[1]) / 0.25 / theory - 1));
@@ -109,9 +109,9 @@ static double creep_off(const struct study_results *d)
 
     for (int n = 0; n < 6; n++) {
         const double sag =
-            dataset_at(d, QUANTITY_DEPTH, WHERE({"study", "sag"}, {"young", row[n][0]}));
+            results_at(d, QUANTITY_DEPTH, WHERE({"study", "sag"}, {"young", row[n][0]}));
         const double speed =
-            dataset_at(d, QUANTITY_SPEED,
+            results_at(d, QUANTITY_SPEED,
                        WHERE({"study", "creep"}, {"young", row[n][0]}, {"dt", row[n][1]}));
         off = judge_most(off, fabs(1e-3 * strtod(row[n][1], NULL) * speed / sag - 1));
     }
@@ -137,7 +137,7 @@ static enum verdict rate_has_limit(const struct study_results *d, FILE *because)
     const double rate = exponent(d, QUANTITY_NEXT, "nonlinear_rate");
     const double mass = exponent(d, QUANTITY_NEXT, "nonlinear_mass");
     const double apart =
-        dataset_apart(d, WHERE({"study", "nonlinear_rate"}, {"step", "0.625 ms"}),
+        results_apart(d, WHERE({"study", "nonlinear_rate"}, {"step", "0.625 ms"}),
                       WHERE({"study", "nonlinear_mass"}, {"step", "0.625 ms"}));
     const double left = 2 * at(d, QUANTITY_NEXT, "nonlinear_rate", "1.25 ms");
 

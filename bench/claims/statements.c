@@ -74,30 +74,30 @@ static void print_count(const struct statements *s, FILE *file)
         of[s->told[n].turn]++;
         turning += *s->told[n].turns != '\0';
     }
-    table_say(file,
-              "\nOf the %d statements %d hold, %d do not, and %d were not judged. The "
-              "verdict of %d turns on how the paper is read.",
-              s->count, of[VERDICT_HOLDS], of[VERDICT_FAILS],
-              s->count - of[VERDICT_HOLDS] - of[VERDICT_FAILS], turning);
+    wrap_say(file,
+             "\nOf the %d statements %d hold, %d do not, and %d were not judged. The "
+             "verdict of %d turns on how the paper is read.",
+             s->count, of[VERDICT_HOLDS], of[VERDICT_FAILS],
+             s->count - of[VERDICT_HOLDS] - of[VERDICT_FAILS], turning);
 }
 
-enum status statements_print(struct statements *s, enum table_format format, FILE *file)
+enum status statements_print(struct statements *s, struct printer *p, struct message *why)
 {
-    struct table *t;
+    struct dataset *t;
 
     if (!s)
         return STATUS_MEMORY;
     sort(s);
-    if (format != TABLE_TEXT) {
+    if (p->format != TABLE_TEXT) {
         t = judge_table("The statements of the paper, how they are read, and whether they "
                         "hold");
         for (int n = 0; n < s->count; n++)
             judge_add(t, &s->told[n]);
-        return table_finish(t, format, file);
+        return printer_table(p, t, NULL, why);
     }
     for (int n = 0; n < s->count; n++)
-        judge_print(file, &s->told[n]);
-    print_count(s, file);
-    measurement_machine(s->machine, file);
+        judge_print(p->file, &s->told[n]);
+    print_count(s, p->file);
+    measurement_machine(s->machine, p->file);
     return STATUS_OK;
 }

@@ -16,6 +16,6 @@ void statements_destroy(struct statements *s);
 enum status statements_add(struct statements *s, const struct study_results *r);
 
 /* Prints them by section; for people with their count, in all other formats as a table. */
-enum status statements_print(struct statements *s, enum table_format format, FILE *file);
+enum status statements_print(struct statements *s, struct printer *p, struct message *why);
 
 #endif

@@ -292,16 +292,16 @@ struct words {
     char header[CONTEST_TIMES][32], key[CONTEST_TIMES][48], caption[256];
 };
 
-static struct table *create_runs(const struct contest *c, struct words *w)
+static struct dataset *create_runs(const struct contest *c, struct words *w)
 {
-    struct table_column columns[MOST_COLUMNS] = {
-        {"title", NULL, TABLE_LEFT, .readers = TABLE_MACHINES},
-        {"model", NULL, TABLE_LEFT, .key = "column", .readers = TABLE_PEOPLE},
-        {"contestant", NULL, TABLE_LEFT, .readers = TABLE_MACHINES},
-        {"model", NULL, TABLE_LEFT, .key = "model", .readers = TABLE_MACHINES},
-        {"side", .readers = TABLE_MACHINES},
-        {"across", .readers = TABLE_MACHINES},
-        {"net", NULL, TABLE_LEFT, .readers = TABLE_PEOPLE},
+    struct dataset_column columns[MOST_COLUMNS] = {
+        {"title", NULL, DATASET_LEFT, .readers = DATASET_MACHINES},
+        {"model", NULL, DATASET_LEFT, .key = "column", .readers = DATASET_PEOPLE},
+        {"contestant", NULL, DATASET_LEFT, .readers = DATASET_MACHINES},
+        {"model", NULL, DATASET_LEFT, .key = "model", .readers = DATASET_MACHINES},
+        {"side", .readers = DATASET_MACHINES},
+        {"across", .readers = DATASET_MACHINES},
+        {"net", NULL, DATASET_LEFT, .readers = DATASET_PEOPLE},
         {"step", "ms", .key = "step_s", .key_unit = "s", .scale = 1e3},
         {"iterations"},
         {"unknowns"},
@@ -309,117 +309,120 @@ static struct table *create_runs(const struct contest *c, struct words *w)
         {"stepping", "s"},
         {"repeats"},
         {"memory", "MB", .key = "model_bytes", .key_unit = "B", .scale = 1e-6},
-        {"set-up and stepping", "s", .key = "seconds", .readers = TABLE_MACHINES}};
-    const struct table_column more[] = {
+        {"set-up and stepping", "s", .key = "seconds", .readers = DATASET_MACHINES}};
+    const struct dataset_column more[] = {
         {"RMSE / L at the worst time", NULL, .key = "worst_rmse_over_length",
-         .readers = TABLE_MACHINES},
-        {"bar", NULL, .key = "bar_over_length", .readers = TABLE_MACHINES},
-        {"front", .readers = TABLE_MACHINES},
-        {"outcome", NULL, TABLE_LEFT, .readers = TABLE_MACHINES}};
+         .readers = DATASET_MACHINES},
+        {"bar", NULL, .key = "bar_over_length", .readers = DATASET_MACHINES},
+        {"front", .readers = DATASET_MACHINES},
+        {"outcome", NULL, DATASET_LEFT, .readers = DATASET_MACHINES}};
     int count = FIXED;
 
     for (int n = 0; n < c->truth->times; n++) {
         snprintf(w->header[n], sizeof w->header[n], "%.3g s", c->truth->time[n]);
         snprintf(w->key[n], sizeof w->key[n], "rmse_over_length_%.3g_s", c->truth->time[n]);
-        columns[count++] = (struct table_column){w->header[n], "%", .key = w->key[n],
-                                                 .key_unit = "1", .scale = 100};
+        columns[count++] = (struct dataset_column){w->header[n], "%", .key = w->key[n],
+                                                   .key_unit = "1", .scale = 100};
     }
     for (size_t n = 0; n < sizeof more / sizeof *more; n++)
         columns[count++] = more[n];
     snprintf(w->caption, sizeof w->caption,
              "Every run on %s (Gamma = %.4g, %s): RMSE/L at %d times", c->scene->name,
              scene_gamma(c->scene), c->physics, c->truth->times);
-    return table_create(count, columns, w->caption);
+    return dataset_create(count, columns, w->caption);
 }
 
-static void note_end(struct table *t, const struct contest *c, const struct contest_row *r)
+static void note_end(struct dataset *t, const struct contest *c,
+                     const struct contest_row *r)
 {
     const char *title = r->at.contestant->title;
     const int side = r->at.size[CONTEST_NET], across = r->at.size[CONTEST_ACROSS];
 
     if (run_result_refused(&r->result))
-        table_note(t, "%s, %dx%d: %s.", title, side, across, r->result.sentence.text);
+        dataset_note(t, "%s, %dx%d: %s.", title, side, across, r->result.sentence.text);
     else if (r->result.outcome || run_result_missed(&r->result))
-        table_note(t, "%s, %dx%d, step %.3g ms: %s.", title, side, across,
-                   1e3 * c->scene->step / r->at.size[CONTEST_STEP],
-                   r->result.sentence.text);
+        dataset_note(t, "%s, %dx%d, step %.3g ms: %s.", title, side, across,
+                     1e3 * c->scene->step / r->at.size[CONTEST_STEP],
+                     r->result.sentence.text);
 }
 
-static void add_net(struct table *t, const struct contest *c, const int size[CONTEST_AXES])
+static void add_net(struct dataset *t, const struct contest *c,
+                    const int size[CONTEST_AXES])
 {
-    table_add(t, "%d|%d|%dx%d|%.3g|%.0f", size[CONTEST_NET], size[CONTEST_ACROSS],
-              size[CONTEST_NET], size[CONTEST_ACROSS], c->scene->step / size[CONTEST_STEP],
-              size[CONTEST_ITERATIONS] ? size[CONTEST_ITERATIONS] : NAN);
+    dataset_add(t, "%d|%d|%dx%d|%.3g|%.0f", size[CONTEST_NET], size[CONTEST_ACROSS],
+                size[CONTEST_NET], size[CONTEST_ACROSS],
+                c->scene->step / size[CONTEST_STEP],
+                size[CONTEST_ITERATIONS] ? size[CONTEST_ITERATIONS] : NAN);
 }
 
-static void add_run(struct table *t, const struct contest *c, const struct contest_row *r)
+static void add_run(struct dataset *t, const struct contest *c, const struct contest_row *r)
 {
     const struct contestant *who = r->at.contestant;
     const bool ran = !run_result_refused(&r->result), timed = ran && !r->probe;
 
-    table_line(t, "%s|%s|%s|%s", who->title, who->column, who->name, who->model->name);
+    dataset_line(t, "%s|%s|%s|%s", who->title, who->column, who->name, who->model->name);
     add_net(t, c, r->at.size);
-    table_add(t, "%.0f|%.3g|%.3g|%.0f|%.2g|%.3g", ran ? r->result.unknowns : NAN,
-              timed ? r->result.create.median : NAN,
-              timed ? r->result.step.median * (double)r->result.steps : NAN,
-              timed ? r->result.step.count : NAN, timed ? r->result.bytes : NAN,
-              timed ? r->seconds : NAN);
+    dataset_add(t, "%.0f|%.3g|%.3g|%.0f|%.2g|%.3g", ran ? r->result.unknowns : NAN,
+                timed ? r->result.create.median : NAN,
+                timed ? r->result.step.median * (double)r->result.steps : NAN,
+                timed ? r->result.step.count : NAN, timed ? r->result.bytes : NAN,
+                timed ? r->seconds : NAN);
     for (int n = 0; n < c->truth->times; n++)
-        table_add(t, "%.3g", r->error[n]);
-    table_add(t, "%.3g|%.3g|%d|%s", r->worst, contest_largest_bar(c),
-              contest_on_front(c, r), r->result.sentence.text);
+        dataset_add(t, "%.3g", r->error[n]);
+    dataset_add(t, "%.3g|%.3g|%d|%s", r->worst, contest_largest_bar(c),
+                contest_on_front(c, r), r->result.sentence.text);
     note_end(t, c, r);
 }
 
-static void add_bar(struct table *t, const struct contest *c)
+static void add_bar(struct dataset *t, const struct contest *c)
 {
     const bool known = c->truth->xyz;
 
-    table_rule(t);
-    table_line(t, "-|%s", c->truth->alone ? truth_bar_name(c->truth) : "truth's bar");
+    dataset_rule(t);
+    dataset_line(t, "-|%s", c->truth->alone ? truth_bar_name(c->truth) : "truth's bar");
     for (int n = 2; n < FIXED; n++)
-        table_add(t, "-");
+        dataset_add(t, "-");
     for (int n = 0; n < c->truth->times; n++)
-        table_add(t, "%.3g", contest_bar(c, n));
-    table_note(t,
-               "Truth: %s. All runs used one thread, and seconds are medians of the "
-               "repeats%s.",
-               c->truth->source,
-               known ? ". Runs without repeats were not timed; they only show what limits "
+        dataset_add(t, "%.3g", contest_bar(c, n));
+    dataset_note(t,
+                 "Truth: %s. All runs used one thread, and seconds are medians of the "
+                 "repeats%s.",
+                 c->truth->source,
+                 known
+                     ? ". Runs without repeats were not timed; they only show what limits "
                        "the error"
                      : "");
-    table_note(t,
-               "Memory is what the model holds after its last step, counted by malloc. %s",
-               contest_rule);
+    dataset_note(
+        t, "Memory is what the model holds after its last step, counted by malloc. %s",
+        contest_rule);
     if (c->budget > 0)
-        table_note(
+        dataset_note(
             t,
             "The budget was %g s of runs, cheap ones first, and %.3g s were used. It "
             "left out (contestant, runs): %s.",
             c->budget, contest_spent(c), *c->unsearched ? c->unsearched : "nothing");
 }
 
-static enum status print_runs(const struct contest *c, const char *folder,
-                              enum table_format format, FILE *file, struct message *why)
+static enum status print_runs(const struct contest *c, struct printer *p,
+                              struct message *why)
 {
     struct words words;
-    struct table *t = create_runs(c, &words);
+    struct dataset *t = create_runs(c, &words);
     const struct contestant *who;
     enum status st;
 
     for (int k = 0; (who = contest_entrant(c, k)); k++) {
         if (k)
-            table_rule(t);
+            dataset_rule(t);
         for (int n = 0; n < c->count; n++)
             if (c->rows[n].at.contestant == who)
                 add_run(t, c, &c->rows[n]);
     }
-    TRY(table_save(t, folder, "compare", why));
+    TRY(printer_save(t, p->folder, "compare", why));
     add_bar(t, c);
+    return printer_table(p, t, NULL, why);
 out:
-    if (st == STATUS_OK)
-        return table_finish(t, format, file);
-    table_destroy(t);
+    dataset_destroy(t);
     return st;
 }
 
@@ -434,48 +437,50 @@ struct run_words {
 };
 
 /* Fills the columns of a run; a key is `before`, the word for what it holds, `after`. */
-static void set_columns(struct table_column *column, struct run_words *w, const char *unit,
-                        const char *value, const char *before, const char *after)
+static void set_columns(struct dataset_column *column, struct run_words *w,
+                        const char *unit, const char *value, const char *before,
+                        const char *after)
 {
     const char *const what[] = {value, "side", "across", "step_s", "iterations"};
 
-    *column++ = (struct table_column){w->header, unit, .readers = TABLE_PEOPLE};
+    *column++ = (struct dataset_column){w->header, unit, .readers = DATASET_PEOPLE};
     for (int n = 0; n < RUN_COLUMNS - 1; n++) {
         snprintf(w->key[n], sizeof w->key[n], "%s%s%s", before, what[n], after);
-        *column++ =
-            (struct table_column){w->key[n], .key = w->key[n], .readers = TABLE_MACHINES};
+        *column++ = (struct dataset_column){w->key[n], .key = w->key[n],
+                                            .readers = DATASET_MACHINES};
     }
 }
 
 /* Fills the cells of a run, with a value that people see `scale` times as large; r NULL:
  * there is no such run, `none`. */
-static void add_shown(struct table *t, const struct contest *c, const struct contest_row *r,
-                      double value, double scale, const char *none)
+static void add_shown(struct dataset *t, const struct contest *c,
+                      const struct contest_row *r, double value, double scale,
+                      const char *none)
 {
     if (!r) {
-        table_missing(t, "%s", none);
+        dataset_missing(t, "%s", none);
         for (int n = 1; n < RUN_COLUMNS; n++)
-            table_add(t, "-");
+            dataset_add(t, "-");
         return;
     }
     const int *size = r->at.size, iterations = size[CONTEST_ITERATIONS];
     char last[16] = "";
     if (iterations)
         snprintf(last, sizeof last, "/%d", iterations);
-    table_text(t, scale * value < 99.5 ? "%.2g %dx%d/%d%s" : "%.0f %dx%d/%d%s",
-               scale * value, size[CONTEST_NET], size[CONTEST_ACROSS], size[CONTEST_STEP],
-               last);
-    table_add(t, "%.3g|%d|%d|%.3g|%.0f", value, size[CONTEST_NET], size[CONTEST_ACROSS],
-              c->scene->step / size[CONTEST_STEP], iterations ? iterations : NAN);
+    dataset_text(t, scale * value < 99.5 ? "%.2g %dx%d/%d%s" : "%.0f %dx%d/%d%s",
+                 scale * value, size[CONTEST_NET], size[CONTEST_ACROSS], size[CONTEST_STEP],
+                 last);
+    dataset_add(t, "%.3g|%d|%d|%.3g|%.0f", value, size[CONTEST_NET], size[CONTEST_ACROSS],
+                c->scene->step / size[CONTEST_STEP], iterations ? iterations : NAN);
 }
 
-static enum status print_targets(const struct contest *c, const char *folder,
-                                 enum table_format format, FILE *file, struct message *why)
+static enum status print_targets(const struct contest *c, struct printer *p,
+                                 struct message *why)
 {
     enum { WHO = 2, COLUMNS = WHO + CONTEST_TARGETS * RUN_COLUMNS + 1 };
-    struct table_column columns[COLUMNS] = {
-        {"model", NULL, TABLE_LEFT, .key = "title"},
-        {"contestant", NULL, TABLE_LEFT, .readers = TABLE_MACHINES},
+    struct dataset_column columns[COLUMNS] = {
+        {"model", NULL, DATASET_LEFT, .key = "title"},
+        {"contestant", NULL, DATASET_LEFT, .readers = DATASET_MACHINES},
         [COLUMNS - 1] = {"growth", .key = "growth"}};
     struct run_words words[CONTEST_TARGETS];
     const struct contestant *who;
@@ -486,30 +491,30 @@ static enum status print_targets(const struct contest *c, const char *folder,
         snprintf(target, sizeof target, "_%g", contest_target[n]);
         set_columns(&columns[WHO + n * RUN_COLUMNS], &words[n], "s", "seconds", "", target);
     }
-    struct table *t =
-        table_create(COLUMNS, columns,
-                     "Least seconds (set-up and stepping) to an RMSE/L at the worst of the "
-                     "times, and what reaches it");
+    struct dataset *t = dataset_create(
+        COLUMNS, columns,
+        "Least seconds (set-up and stepping) to an RMSE/L at the worst of the "
+        "times, and what reaches it");
     for (int k = 0; (who = contest_entrant(c, k)); k++) {
-        table_line(t, "%s|%s", who->title, who->name);
+        dataset_line(t, "%s|%s", who->title, who->name);
         for (int n = 0; n < CONTEST_TARGETS; n++) {
             const struct contest_row *r = contest_cheapest(c, who, contest_target[n]);
             add_shown(t, c, r, r ? r->seconds : NAN, 1, "not reached");
         }
-        table_add(t, "%.2g", contest_growth(c, who));
+        dataset_add(t, "%.2g", contest_growth(c, who));
     }
-    table_note(
+    dataset_note(
         t,
         "40x12/16 means 40 points along u and 12 across, and 16 steps to the scene's frame "
         "of %.3g ms; a third number counts iterations.",
         1e3 * c->scene->step);
-    table_note(
+    dataset_note(
         t, "Growth is the power p with which seconds grow as error^-p along the best runs "
            "(three or more).");
-    return table_publish(t, folder, "compare_targets", format, file, why);
+    return printer_table(p, t, "compare_targets", why);
 }
 
-static void add_limit(struct table *t, const struct contest *c,
+static void add_limit(struct dataset *t, const struct contest *c,
                       const struct contestant *who)
 {
     const struct contest_row *best = contest_nearest(c, who);
@@ -518,39 +523,40 @@ static void add_limit(struct table *t, const struct contest *c,
     const struct contest_limit limit = contest_limit(c, who);
     struct message words;
 
-    table_line(t, "%s|%s", who->title, who->name);
+    dataset_line(t, "%s|%s", who->title, who->name);
     add_shown(t, c, real, real ? real->worst : NAN, 100, "none");
     add_shown(t, c, best, best ? best->worst : NAN, 100, "none");
     contest_tell(c, &limit, &words);
-    table_add(t, "%s|%s", words.text, contest_kind_name[limit.kind]);
+    dataset_add(t, "%s|%s", words.text, contest_kind_name[limit.kind]);
     for (int axis = 0; axis < CONTEST_AXES; axis++)
-        table_add(t, "%.3g", limit.gain[axis]);
+        dataset_add(t, "%.3g", limit.gain[axis]);
 }
 
-static enum status print_limits(const struct contest *c, const char *folder,
-                                enum table_format format, FILE *file, struct message *why)
+static enum status print_limits(const struct contest *c, struct printer *p,
+                                struct message *why)
 {
     enum { REAL = 2, LOWEST = REAL + RUN_COLUMNS, LIMIT = LOWEST + RUN_COLUMNS };
-    static const struct table_column limit[] = {
-        {"limited by", NULL, TABLE_LEFT, .key = "sentence"},
-        {"limit", NULL, TABLE_LEFT, .readers = TABLE_MACHINES},
-        {"net_gain", .key = "net_gain", .readers = TABLE_MACHINES},
-        {"across_gain", .key = "across_gain", .readers = TABLE_MACHINES},
-        {"step_gain", .key = "step_gain", .readers = TABLE_MACHINES},
-        {"iterations_gain", .key = "iterations_gain", .readers = TABLE_MACHINES}};
-    struct table_column columns[LIMIT + sizeof limit / sizeof *limit] = {
-        {"model", NULL, TABLE_LEFT, .key = "title"},
-        {"contestant", NULL, TABLE_LEFT, .readers = TABLE_MACHINES}};
+    static const struct dataset_column limit[] = {
+        {"limited by", NULL, DATASET_LEFT, .key = "sentence"},
+        {"limit", NULL, DATASET_LEFT, .readers = DATASET_MACHINES},
+        {"net_gain", .key = "net_gain", .readers = DATASET_MACHINES},
+        {"across_gain", .key = "across_gain", .readers = DATASET_MACHINES},
+        {"step_gain", .key = "step_gain", .readers = DATASET_MACHINES},
+        {"iterations_gain", .key = "iterations_gain", .readers = DATASET_MACHINES}};
+    struct dataset_column columns[LIMIT + sizeof limit / sizeof *limit] = {
+        {"model", NULL, DATASET_LEFT, .key = "title"},
+        {"contestant", NULL, DATASET_LEFT, .readers = DATASET_MACHINES}};
     struct run_words real = {"in real time"}, lowest = {"lowest"};
     const struct contestant *who;
 
     set_columns(&columns[REAL], &real, "% L", "rmse_over_length", "real_time_", "");
     set_columns(&columns[LOWEST], &lowest, "% L", "rmse_over_length", "lowest_", "");
     memcpy(&columns[LIMIT], limit, sizeof limit);
-    struct table *t = TABLE_OF(columns, "Lowest RMSE/L at the worst of the times, and why");
+    struct dataset *t =
+        DATASET_OF(columns, "Lowest RMSE/L at the worst of the times, and why");
     for (int k = 0; (who = contest_entrant(c, k)); k++)
         add_limit(t, c, who);
-    table_note(
+    dataset_note(
         t,
         "The column `in real time` is the lowest error of runs that took no longer, set-up "
         "included, than the %.3g s that they simulate. The column `limited by` follows "
@@ -562,7 +568,7 @@ static enum status print_limits(const struct contest *c, const char *folder,
         "is %g bars of the truth or less, each %.2g %% at most.",
         c->truth->time[c->truth->times - 1], 100 * CONTEST_LEAST_GAIN, CONTEST_NEAR_BAR,
         100 * contest_largest_bar(c));
-    return table_publish(t, folder, "compare_limits", format, file, why);
+    return printer_table(p, t, "compare_limits", why);
 }
 
 /* --- more threads --- */
@@ -572,14 +578,14 @@ struct team_words {
     char header[CONTEST_TEAMS][16], key[CONTEST_TEAMS][24], ratio[CONTEST_TEAMS][24];
 };
 
-static struct table *create_teams(const struct contest *c, struct team_words *w)
+static struct dataset *create_teams(const struct contest *c, struct team_words *w)
 {
-    struct table_column columns[9 + 2 * CONTEST_TEAMS + 1] = {
-        {"model", NULL, TABLE_LEFT, .key = "title"},
-        {"contestant", NULL, TABLE_LEFT, .readers = TABLE_MACHINES},
-        {"side", .readers = TABLE_MACHINES},
-        {"across", .readers = TABLE_MACHINES},
-        {"net", .readers = TABLE_PEOPLE},
+    struct dataset_column columns[9 + 2 * CONTEST_TEAMS + 1] = {
+        {"model", NULL, DATASET_LEFT, .key = "title"},
+        {"contestant", NULL, DATASET_LEFT, .readers = DATASET_MACHINES},
+        {"side", .readers = DATASET_MACHINES},
+        {"across", .readers = DATASET_MACHINES},
+        {"net", .readers = DATASET_PEOPLE},
         {"step", "ms", .key = "step_s", .key_unit = "s", .scale = 1e3},
         {"iterations"},
         {"error", "%", .key = "worst_rmse_over_length", .key_unit = "1", .scale = 100},
@@ -590,56 +596,56 @@ static struct table *create_teams(const struct contest *c, struct team_words *w)
         snprintf(w->header[t], sizeof w->header[t], "%d threads", c->team[t]);
         snprintf(w->key[t], sizeof w->key[t], "seconds_%d_threads", c->team[t]);
         snprintf(w->ratio[t], sizeof w->ratio[t], "times_%d_threads", c->team[t]);
-        columns[count++] = (struct table_column){w->header[t], "s", .key = w->key[t]};
-        columns[count++] = (struct table_column){"times", .key = w->ratio[t]};
+        columns[count++] = (struct dataset_column){w->header[t], "s", .key = w->key[t]};
+        columns[count++] = (struct dataset_column){"times", .key = w->ratio[t]};
     }
-    columns[count++] = (struct table_column){"same bits", NULL, TABLE_LEFT};
-    return table_create(count, columns,
-                        "The best runs again with more threads, set-up and stepping");
+    columns[count++] = (struct dataset_column){"same bits", NULL, DATASET_LEFT};
+    return dataset_create(count, columns,
+                          "The best runs again with more threads, set-up and stepping");
 }
 
-static void add_best(struct table *t, const struct contest *c, const struct contest_row *r)
+static void add_best(struct dataset *t, const struct contest *c,
+                     const struct contest_row *r)
 {
-    table_line(t, "%s|%s", r->at.contestant->title, r->at.contestant->name);
+    dataset_line(t, "%s|%s", r->at.contestant->title, r->at.contestant->name);
     add_net(t, c, r->at.size);
-    table_add(t, "%.2g|%.3g", r->worst, r->seconds);
+    dataset_add(t, "%.2g|%.3g", r->worst, r->seconds);
     for (int n = 0; n < c->teams; n++)
-        table_add(t, "%.3g|%.2g", r->team_seconds[n], r->team_seconds[n] / r->seconds);
-    table_add(t, "%s", r->parted ? "no" : "yes");
+        dataset_add(t, "%.3g|%.2g", r->team_seconds[n], r->team_seconds[n] / r->seconds);
+    dataset_add(t, "%s", r->parted ? "no" : "yes");
 }
 
-static enum status print_teams(const struct contest *c, const char *folder,
-                               enum table_format format, FILE *file, struct message *why)
+static enum status print_teams(const struct contest *c, struct printer *p,
+                               struct message *why)
 {
     const struct contestant *who;
     struct team_words words;
-    struct table *t = create_teams(c, &words);
+    struct dataset *t = create_teams(c, &words);
     for (int k = 0; (who = contest_entrant(c, k)); k++)
         for (int n = 0; n < c->count; n++)
             if (c->rows[n].at.contestant == who && contest_is_best(c, &c->rows[n]))
                 add_best(t, c, &c->rows[n]);
     if (isfinite(c->team_longest))
-        table_note(
+        dataset_note(
             t, "These are the runs that take up to %.2g s, as far as the budget allows.",
             c->team_longest);
-    table_note(t,
-               "The column `times` is the ratio to the seconds on one thread. `Same bits` "
-               "means that all errors are the same numbers with every number of threads.");
-    return table_publish(t, folder, "compare_threads", format, file, why);
+    dataset_note(
+        t, "The column `times` is the ratio to the seconds on one thread. `Same bits` "
+           "means that all errors are the same numbers with every number of threads.");
+    return printer_table(p, t, "compare_threads", why);
 }
 
-enum status compare_print(const struct contest *c, const char *folder,
-                          enum table_format format, FILE *file, struct message *why)
+enum status compare_print(const struct contest *c, struct printer *p, struct message *why)
 {
     enum status st;
 
-    TRY(print_runs(c, folder, format, file, why));
+    TRY(print_runs(c, p, why));
     if (!c->truth->xyz)
         return st;
-    TRY(print_targets(c, folder, format, file, why));
-    TRY(print_limits(c, folder, format, file, why));
+    TRY(print_targets(c, p, why));
+    TRY(print_limits(c, p, why));
     if (c->teams)
-        TRY(print_teams(c, folder, format, file, why));
+        TRY(print_teams(c, p, why));
 out:
     return st;
 }
@@ -777,9 +783,8 @@ static void choose_folder(const struct command_line *line, const char *given,
         snprintf(folder, size, "results/compare_%s", scene);
 }
 
-static enum status run_scene(struct compare_job *j, const struct command_line *line,
-                             const char *given, enum table_format format,
-                             struct message *why)
+static enum status run_scene(struct compare_job *j, struct command_line *line,
+                             const char *given, struct message *why)
 {
     enum status st;
     char folder[4096];
@@ -792,10 +797,11 @@ static enum status run_scene(struct compare_job *j, const struct command_line *l
         TRY(folder_make(folder, why));
     timing_alone();
     TRY(find_truth(j, command_value(line, "--until"), why));
-    if (*j->contest.truth->unresolved && table_format_is_prose(format))
-        table_say(stdout, "%s", j->contest.truth->unresolved);
+    if (*j->contest.truth->unresolved && printer_is_prose(&line->printer))
+        wrap_say(stdout, "%s", j->contest.truth->unresolved);
     TRY(compare_job_measure(j, why));
-    TRY(compare_print(&j->contest, folder, format, stdout, why));
+    line->printer.folder = folder;
+    TRY(compare_print(&j->contest, &line->printer, why));
     show_tell(folder);
 out:
     j->folder = NULL;
@@ -819,25 +825,23 @@ out:
     return st;
 }
 
-static enum status run(const struct command_line *line, struct message *why)
+static enum status run(struct command_line *line, struct message *why)
 {
     const char *given = NULL, *from;
     const struct contest *contests[MOST_SCENES];
     struct compare_job *jobs = calloc(MOST_SCENES, sizeof *jobs);
-    enum table_format format = TABLE_TEXT;
     enum status st = jobs ? STATUS_OK : STATUS_MEMORY;
 
     TRY(st);
-    TRY(command_format(line, &format, why));
     TRY(command_folder(line, &given, &from, why));
     TRY(prepare_all(line, jobs, why));
     for (int n = 0; n < line->word_count; n++) {
-        TRY(run_scene(&jobs[n], line, given, format, why));
+        TRY(run_scene(&jobs[n], line, given, why));
         contests[n] = &jobs[n].contest;
     }
+    line->printer.folder = given ? given : "results";
     if (line->word_count > 1)
-        TRY(league_print(line->word_count, contests, given ? given : "results", format,
-                         stdout, why));
+        TRY(league_print(line->word_count, contests, &line->printer, why));
 out:
     for (int n = 0; jobs && n < MOST_SCENES; n++)
         compare_job_close(&jobs[n]);
@@ -860,7 +864,7 @@ static const struct command_option options[] = {
      "time for all runs of a scene together (no limit); cheap\n"
      "ones go first, and what is left out is printed"},
     {"--threads", "N,N,...", false, "time the best runs again with so many threads (1)"},
-    {"--format", TABLE_FORMATS, false, "output format (text)"},
+    {"--format", PRINTER_FORMATS, false, "output format (text)"},
     {"--out", "DIR", false,
      "folder of result files and CSV\n"
      "(results/compare_SCENE)"},

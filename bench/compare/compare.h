@@ -5,7 +5,7 @@
 #include "bench/compare/contest.h"
 #include "bench/experiment/measurement.h"
 #include "bench/ui/command.h"
-#include "bench/ui/table.h"
+#include "bench/data/printer.h"
 
 /* --- one scene: its contest, from the ladder over the search to the limits --- */
 
@@ -54,7 +54,6 @@ enum status compare_job_rows(void *job, int first, struct message *why);
 /* Prints the table of all runs, what each contestant needs for given errors, what limits
  * it, and the best rows with each number of threads, if there are any; as compare.csv,
  * compare_targets.csv, compare_limits.csv and compare_threads.csv in the folder, too. */
-enum status compare_print(const struct contest *c, const char *folder,
-                          enum table_format format, FILE *file, struct message *why);
+enum status compare_print(const struct contest *c, struct printer *p, struct message *why);
 
 #endif

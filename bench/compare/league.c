@@ -56,31 +56,32 @@ static const struct contest_row *cheapest(const struct contest *c,
 /* --- for people --- */
 
 /* Adds "0.0039" seconds, "(2.2 %)" at best, "refused", "died", or nothing. */
-static void add_cell(struct table *t, const struct contest *c, const struct contestant *who)
+static void add_cell(struct dataset *t, const struct contest *c,
+                     const struct contestant *who)
 {
     const struct contest_row *reached = contest_cheapest(c, who, target_of(c));
     const struct contest_row *nearest = contest_nearest(c, who);
 
     if (!has_entered(c, who))
-        table_add(t, "%s", "");
+        dataset_add(t, "%s", "");
     else if (reached)
-        table_text(t, "%.2g", reached->seconds);
+        dataset_text(t, "%.2g", reached->seconds);
     else if (nearest)
-        table_text(t, "(%.2g %%)", 100 * nearest->worst);
+        dataset_text(t, "(%.2g %%)", 100 * nearest->worst);
     else
-        table_text(t, was_refused(c, who) ? "refused" : "died");
+        dataset_text(t, was_refused(c, who) ? "refused" : "died");
 }
 
-static void add_percent(struct table *t, double share)
+static void add_percent(struct dataset *t, double share)
 {
     if (isnan(share))
-        table_add(t, "none");
+        dataset_add(t, "none");
     else
-        table_text(t, "%.2g %%", 100 * share);
+        dataset_text(t, "%.2g %%", 100 * share);
 }
 
 /* Notes the two cheapest of different models: "springs single, 29 times less than PD". */
-static void note_winner(struct table *t, const struct contest *c)
+static void note_winner(struct dataset *t, const struct contest *c)
 {
     const double bar = contest_largest_bar(c), target = target_of(c);
     const char *scene = c->scene->name;
@@ -89,34 +90,34 @@ static void note_winner(struct table *t, const struct contest *c)
         first ? cheapest(c, first->at.contestant->model) : NULL;
 
     if (isnan(bar))
-        table_note(t, "%s cannot be decided: it has no truth.", scene);
+        dataset_note(t, "%s cannot be decided: it has no truth.", scene);
     else if (isnan(target))
-        table_note(t, "%s cannot be decided, because its truth is known to %.2g %% only.",
-                   scene, 100 * bar);
+        dataset_note(t, "%s cannot be decided, because its truth is known to %.2g %% only.",
+                     scene, 100 * bar);
     else if (!first)
-        table_note(t, "%s: nobody reaches %g %%.", scene, 100 * target);
+        dataset_note(t, "%s: nobody reaches %g %%.", scene, 100 * target);
     else if (!second)
-        table_note(t, "%s: %s, and no other model reaches %g %%.", scene,
-                   first->at.contestant->title, 100 * target);
+        dataset_note(t, "%s: %s, and no other model reaches %g %%.", scene,
+                     first->at.contestant->title, 100 * target);
     else {
         const double times = second->seconds / first->seconds;
-        table_note(t, "%s: %s, %.*f times less than the next model, %s.", scene,
-                   first->at.contestant->title, times < 10 ? 1 : 0, times,
-                   second->at.contestant->title);
+        dataset_note(t, "%s: %s, %.*f times less than the next model, %s.", scene,
+                     first->at.contestant->title, times < 10 ? 1 : 0, times,
+                     second->at.contestant->title);
     }
 }
 
 static enum status print_people(int count, const struct contest *const *contests,
-                                enum table_format format, FILE *file)
+                                struct printer *p, struct message *why)
 {
-    struct table_column *columns = calloc((size_t)count + 1, sizeof *columns);
+    struct dataset_column *columns = calloc((size_t)count + 1, sizeof *columns);
 
     if (!columns)
         return STATUS_MEMORY;
-    columns[0] = (struct table_column){"model", NULL, TABLE_LEFT};
+    columns[0] = (struct dataset_column){"model", NULL, DATASET_LEFT};
     for (int s = 0; s < count; s++)
-        columns[s + 1] = (struct table_column){contests[s]->scene->name, "s"};
-    struct table *t = table_create(
+        columns[s + 1] = (struct dataset_column){contests[s]->scene->name, "s"};
+    struct dataset *t = dataset_create(
         count + 1, columns,
         "Least seconds (set-up and stepping) to the error of each scene, RMSE/L at the "
         "worst of its times; in brackets the lowest error where that is not reached");
@@ -127,48 +128,49 @@ static enum status print_people(int count, const struct contest *const *contests
             somewhere |= has_entered(contests[s], who);
         if (!somewhere)
             continue;
-        table_line(t, "%s", who->title);
+        dataset_line(t, "%s", who->title);
         for (int s = 0; s < count; s++)
             add_cell(t, contests[s], who);
     }
-    table_rule(t);
-    table_line(t, "error asked for");
+    dataset_rule(t);
+    dataset_line(t, "error asked for");
     for (int s = 0; s < count; s++)
         add_percent(t, target_of(contests[s]));
-    table_line(t, "truth's bar");
+    dataset_line(t, "truth's bar");
     for (int s = 0; s < count; s++)
         add_percent(t, contest_largest_bar(contests[s]));
-    table_line(t, "seconds shown");
+    dataset_line(t, "seconds shown");
     for (int s = 0; s < count; s++)
-        table_text(t, "%.3g", span_of(contests[s]));
+        dataset_text(t, "%.3g", span_of(contests[s]));
     for (int s = 0; s < count; s++)
         note_winner(t, contests[s]);
-    table_note(t, "%s", contest_rule);
-    return table_finish(t, format, file);
+    dataset_note(t, "%s", contest_rule);
+    return printer_table(p, t, NULL, why);
 }
 
 /* --- for machines --- */
 
-static void add_row(struct table *t, const struct contest *c, const struct contestant *who)
+static void add_row(struct dataset *t, const struct contest *c,
+                    const struct contestant *who)
 {
     const struct contest_row *reached = contest_cheapest(c, who, target_of(c));
     const struct contest_row *nearest = contest_nearest(c, who);
     const struct contest_row *shown = reached ? reached : nearest;
 
-    table_line(t, "%s|%s|%s|%.3g|%.3g|%.3g|%.3g|%.3g", c->scene->name, who->name,
-               who->model->name, span_of(c), contest_largest_bar(c), target_of(c),
-               reached ? reached->seconds : NAN, nearest ? nearest->worst : NAN);
+    dataset_line(t, "%s|%s|%s|%.3g|%.3g|%.3g|%.3g|%.3g", c->scene->name, who->name,
+                 who->model->name, span_of(c), contest_largest_bar(c), target_of(c),
+                 reached ? reached->seconds : NAN, nearest ? nearest->worst : NAN);
     for (int axis = 0; axis < CONTEST_AXES; axis++)
-        table_add(t, "%.0f", shown && shown->at.size[axis] ? shown->at.size[axis] : NAN);
-    table_add(t, "%.3g|%d", shown ? shown->result.bytes : NAN, was_refused(c, who));
+        dataset_add(t, "%.0f", shown && shown->at.size[axis] ? shown->at.size[axis] : NAN);
+    dataset_add(t, "%.3g|%d", shown ? shown->result.bytes : NAN, was_refused(c, who));
 }
 
-static struct table *list_all(int count, const struct contest *const *contests)
+static struct dataset *list_all(int count, const struct contest *const *contests)
 {
-    static const struct table_column columns[] = {
-        {"scene", NULL, TABLE_LEFT},
-        {"contestant", NULL, TABLE_LEFT},
-        {"model", NULL, TABLE_LEFT},
+    static const struct dataset_column columns[] = {
+        {"scene", NULL, DATASET_LEFT},
+        {"contestant", NULL, DATASET_LEFT},
+        {"model", NULL, DATASET_LEFT},
         {"span", "s"},
         {"bar", NULL, .key = "bar_over_length"},
         {"target", NULL, .key = "target_rmse_over_length"},
@@ -180,7 +182,7 @@ static struct table *list_all(int count, const struct contest *const *contests)
         {"iterations", NULL},
         {"memory", "B", .key = "model_bytes"},
         {"refused", NULL}};
-    struct table *t = TABLE_OF(columns, "Contestants over scenes");
+    struct dataset *t = DATASET_OF(columns, "Contestants over scenes");
 
     for (int s = 0; s < count; s++)
         for (const struct contestant *who = contestant_table; who->name; who++)
@@ -190,17 +192,16 @@ static struct table *list_all(int count, const struct contest *const *contests)
 }
 
 enum status league_print(int count, const struct contest *const *contests,
-                         const char *folder, enum table_format format, FILE *file,
-                         struct message *why)
+                         struct printer *p, struct message *why)
 {
-    struct table *t = list_all(count, contests);
+    struct dataset *t = list_all(count, contests);
     enum status st;
 
-    TRY(table_save(t, folder, "compare_scenes", why));
-    if (table_format_is_data(format))
-        return table_finish(t, format, file);
-    st = print_people(count, contests, format, file);
+    if (printer_is_data(p))
+        return printer_table(p, t, "compare_scenes", why);
+    TRY(printer_save(t, p->folder, "compare_scenes", why));
+    st = print_people(count, contests, p, why);
 out:
-    table_destroy(t);
+    dataset_destroy(t);
     return st;
 }

@@ -5,7 +5,7 @@
 #define LEAGUE_H
 
 #include "bench/compare/contest.h"
-#include "bench/ui/table.h"
+#include "bench/data/printer.h"
 
 /* Returns the error over the length that is compared where the truth has this bar: one per
  * cent, or the least of contest_target that the truth is known to; NaN: none. */
@@ -15,7 +15,6 @@ double league_target(double bar);
  * scene; for machines, and as compare_scenes.csv in the folder, a row for each of both.
  */
 enum status league_print(int count, const struct contest *const *contests,
-                         const char *folder, enum table_format format, FILE *file,
-                         struct message *why);
+                         struct printer *p, struct message *why);
 
 #endif

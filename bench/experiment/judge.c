@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "bench/ui/table.h"
+#include "bench/data/printer.h"
 
 double judge_most(double a, double b)
 {
@@ -61,25 +61,25 @@ enum verdict judge_both(enum verdict a, enum verdict b)
                                                     : a;
 }
 
-struct table *judge_table(const char *caption)
+struct dataset *judge_table(const char *caption)
 {
-    static const struct table_column columns[] = {
-        {"source", NULL, TABLE_LEFT},   {"claim", NULL, TABLE_LEFT},
-        {"reading", NULL, TABLE_LEFT},  {"verdict", NULL, TABLE_LEFT},
-        {"sentence", NULL, TABLE_LEFT}, {"turns", NULL, TABLE_LEFT},
-        {"ours", NULL, TABLE_LEFT}};
+    static const struct dataset_column columns[] = {
+        {"source", NULL, DATASET_LEFT},   {"claim", NULL, DATASET_LEFT},
+        {"reading", NULL, DATASET_LEFT},  {"verdict", NULL, DATASET_LEFT},
+        {"sentence", NULL, DATASET_LEFT}, {"turns", NULL, DATASET_LEFT},
+        {"ours", NULL, DATASET_LEFT}};
 
-    return TABLE_OF(columns, caption);
+    return DATASET_OF(columns, caption);
 }
 
-void judge_add(struct table *rows, const struct judge_told *told)
+void judge_add(struct dataset *rows, const struct judge_told *told)
 {
-    table_row(rows);
+    dataset_row(rows);
     for (int n = 0; n < 7; n++)
-        table_text(rows, "%s",
-                   (const char *const[]){told->source, told->quote, told->reading,
-                                         verdict_word(told->turn), told->here, told->turns,
-                                         told->ours}[n]);
+        dataset_text(rows, "%s",
+                     (const char *const[]){told->source, told->quote, told->reading,
+                                           verdict_word(told->turn), told->here,
+                                           told->turns, told->ours}[n]);
 }
 
 void judge_print(FILE *file, const struct judge_told *told)
@@ -90,5 +90,5 @@ void judge_print(FILE *file, const struct judge_told *told)
              *told->source ? ": " : "", told->quote, verdict_word(told->turn), told->here,
              *told->turns ? " " : "", told->turns, *told->ours ? " " : "", told->ours,
              *told->reading ? " Reading: " : "", told->reading);
-    table_print_wrapped(text, file);
+    wrap_print(text, file);
 }

@@ -9,7 +9,7 @@
 
 #include "bench/data/verdict.h"
 
-struct table;
+struct dataset;
 
 /* Returns the larger of two, NaN if either is. */
 double judge_most(double a, double b);
@@ -45,9 +45,9 @@ struct judge_told {
 };
 
 /* Makes a table for statements that were judged, and adds one to it: source, claim,
- * reading, verdict, sentence, turns, ours. NULL without memory, as table_create. */
-struct table *judge_table(const char *caption);
-void judge_add(struct table *rows, const struct judge_told *told);
+ * reading, verdict, sentence, turns, ours. NULL without memory, as dataset_create. */
+struct dataset *judge_table(const char *caption);
+void judge_add(struct dataset *rows, const struct judge_told *told);
 
 /* Prints `- SOURCE: QUOTE: holds. HERE TURNS OURS Reading: READING`. */
 void judge_print(FILE *file, const struct judge_told *told);

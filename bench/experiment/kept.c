@@ -7,27 +7,13 @@
 
 struct kept {
     struct output *file;
-    struct table *sentences;
+    struct dataset *sentences;
 };
 
-enum status kept_table(const struct printer *p, struct table *t)
+void kept_told(const struct printer *p, struct kept *kept, const struct judge_told *told)
 {
-    enum status st = STATUS_OK;
-
-    if (p->kept) {
-        st = table_print(t, TABLE_CSV, output_stream(p->kept->file));
-        fputc('\n', output_stream(p->kept->file));
-    }
-    if (st == STATUS_OK && p->file)
-        return table_finish(t, p->format, p->file);
-    table_destroy(t);
-    return st;
-}
-
-void kept_told(const struct printer *p, const struct judge_told *told)
-{
-    if (p->kept)
-        judge_add(p->kept->sentences, told);
+    if (kept)
+        judge_add(kept->sentences, told);
     if (p->file)
         judge_print(p->file, told);
 }
@@ -37,28 +23,29 @@ static struct output *end(struct kept **kept)
 {
     struct output *file = (*kept)->file;
 
-    table_destroy((*kept)->sentences);
+    dataset_destroy((*kept)->sentences);
     free(*kept);
     *kept = NULL;
     return file;
 }
 
-void kept_open(const char *folder, const char *command, const char *word,
+void kept_open(const char *folder, const char *command, const char *word, struct printer *p,
                struct kept **kept)
 {
     struct kept *k = calloc(1, sizeof *k);
-    struct provenance p;
+    struct provenance made;
 
     *kept = NULL;
     if (!k || output_create_in(folder, KEPT_NAME, &k->file, NULL) != STATUS_OK) {
         free(k);
         return;
     }
-    provenance_collect(&p);
+    provenance_collect(&made);
     output_print(k->file, "# clothbench %s%s%s | commit %s | %s | %s\n", command,
-                 *word ? " " : "", word, provenance_value(&p, "commit"),
-                 provenance_value(&p, "cpu"), provenance_value(&p, "date"));
+                 *word ? " " : "", word, provenance_value(&made, "commit"),
+                 provenance_value(&made, "cpu"), provenance_value(&made, "date"));
     k->sentences = judge_table(KEPT_SENTENCES);
+    p->copy = output_stream(k->file);
     *kept = k;
 }
 
@@ -69,8 +56,9 @@ enum status kept_close(struct kept **kept, struct message *why)
 
     if (!k)
         return STATUS_OK;
-    if (!k->sentences || table_rows(k->sentences))
-        st = table_print(k->sentences, TABLE_CSV, output_stream(k->file));
+    struct printer p = {TABLE_CSV, output_stream(k->file)};
+    if (dataset_count(k->sentences))
+        st = printer_table(&p, k->sentences, NULL, why), k->sentences = NULL;
     struct output *file = end(kept);
     if (st == STATUS_OK)
         return output_close(&file, why);

@@ -6,29 +6,21 @@
 #define KEPT_H
 
 #include "bench/experiment/judge.h"
-#include "bench/ui/table.h"
+#include "bench/data/printer.h"
 
 #define KEPT_NAME      "printed.csv"
 #define KEPT_SENTENCES "Sentences of the paper"
 
 struct kept;
 
-/* A printer says where tables and sentences go; all is borrowed. */
-struct printer {
-    enum table_format format;
-    FILE *file;        /* NULL: nothing is printed                                     */
-    struct kept *kept; /* NULL: nothing is kept                                        */
-};
-
-/* Prints a table as one of several (table_finish), keeps it and destroys it. */
-enum status kept_table(const struct printer *p, struct table *t);
-
-/* Prints a statement that was judged, and keeps it. */
-void kept_told(const struct printer *p, const struct judge_told *told);
-
-/* Starts a file. In a folder that cannot be written to nothing is kept: *kept is NULL then.
+/* Prints a statement that was judged, where the printer prints, and keeps it; kept NULL:
+ * not.
  */
-void kept_open(const char *folder, const char *command, const char *word,
+void kept_told(const struct printer *p, struct kept *kept, const struct judge_told *told);
+
+/* Starts a file, which gets a copy of the tables of *p from then on. In a folder that
+ * cannot be written to nothing is kept: *kept is NULL then. */
+void kept_open(const char *folder, const char *command, const char *word, struct printer *p,
                struct kept **kept);
 
 /* Completes the file; *kept is NULL afterwards, and may be before. STATUS_FILE. */

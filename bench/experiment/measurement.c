@@ -10,7 +10,7 @@
 #include "bench/harness/timing.h"
 #include "bench/experiment/bench_solid.h"
 #include "bench/ui/progress.h"
-#include "bench/ui/table.h"
+#include "bench/data/printer.h"
 
 /* Frames of a repeat, where a frame costs the same all along the motion. */
 enum { FRAMES = 20, QUICK_FRAMES = 5, WARMUP = 2 };
@@ -381,7 +381,7 @@ void measurement_machine(const char *path, FILE *file)
     }
     tell_share(run, memory);
     fflush(memory);
-    table_say(file, "\n%s", words);
+    wrap_say(file, "\n%s", words);
 out:
     if (memory)
         fclose(memory);

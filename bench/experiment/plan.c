@@ -1425,7 +1425,7 @@ static enum status check_labels(const struct plan *plan, const struct plan_setti
     return STATUS_OK;
 }
 
-/* Checks likewise labels of rows (dataset.h), of which some stand for several. */
+/* Checks likewise labels of rows (results.h), of which some stand for several. */
 static enum status check_rows(const struct plan *plan, const struct plan_settings *rows,
                               struct message *why)
 {

@@ -141,7 +141,7 @@ struct plan_falls {
 
 /* One table of all studies, a row for each level and time. */
 struct plan_table {
-    struct plan_settings columns; /* names of quantities (dataset.h), as keys; none: a
+    struct plan_settings columns; /* names of quantities (results.h), as keys; none: a
                                      plan's studies are printed one by one (study.h)   */
     int last;                     /* 1: people see the last time of each study alone   */
     struct plan_settings shown;   /* axis and label: people see levels with these alone */
@@ -158,7 +158,7 @@ struct plan_chart {
 };
 
 /* A statement of the paper that is a ratio of two times or an exponent of one, and the ways
- * to read what it leaves open: labels of the rows that decide it (dataset.h). */
+ * to read what it leaves open: labels of the rows that decide it (results.h). */
 struct plan_reading {
     char *name;                /* in a few words                                owned   */
     char *why;                 /* it is the primary one; or NULL                owned   */

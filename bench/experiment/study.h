@@ -164,7 +164,7 @@ struct study {
                                 label is "truth" and which has sheets alone      owned */
 };
 
-/* A label on an axis (dataset.h). */
+/* A label on an axis (results.h). */
 struct where {
     const char *axis, *label; /* "!LABEL": any other; "WORD*": any that begins so      */
 };
@@ -172,7 +172,7 @@ struct where {
 
 struct study_results {
     const struct plan *plan; /*                                               borrowed  */
-    /* Labels that dataset.h looks for wherever an axis of theirs is not named; NULL: none,
+    /* Labels that results.h looks for wherever an axis of theirs is not named; NULL: none,
        borrowed. They say how a statement is read that leaves a choice open. */
     const struct where *reading;
     int count;

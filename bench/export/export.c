@@ -654,25 +654,26 @@ static void take_kind(void *context, const struct number *number)
     k->count += n == k->count;
 }
 
-struct table *export_numbers_table(const struct export_sheet *s)
+struct dataset *export_numbers_table(const struct export_sheet *s)
 {
-    static const struct table_column columns[] = {{"quantity", NULL, TABLE_LEFT},
-                                                  {"value"},
-                                                  {"unit", NULL, TABLE_LEFT},
-                                                  {"rest length", "m"},
-                                                  {"compliance", "1/unit", .key_unit = "1"},
-                                                  {"how many"}};
+    static const struct dataset_column columns[] = {
+        {"quantity", NULL, DATASET_LEFT},
+        {"value"},
+        {"unit", NULL, DATASET_LEFT},
+        {"rest length", "m"},
+        {"compliance", "1/unit", .key_unit = "1"},
+        {"how many"}};
     struct kinds kinds = {0};
     struct message misfit = {""};
-    struct table *table =
-        TABLE_OF(columns, "Parameters of this net of points, for an engine of your own");
+    struct dataset *table =
+        DATASET_OF(columns, "Parameters of this net of points, for an engine of your own");
     each(s, &(struct taker){take_kind, &kinds}, &misfit);
     for (int n = 0; n < kinds.count; n++) {
         const struct number *k = &kinds.kind[n];
-        table_line(table, "%s|%.6g|%s|%.6g|%.6g|%.0f", k->quantity, k->value, k->unit,
-                   k->length, k->compliance, k->a < 0 ? NAN : (double)kinds.uses[n]);
+        dataset_line(table, "%s|%.6g|%s|%.6g|%.6g|%.0f", k->quantity, k->value, k->unit,
+                     k->length, k->compliance, k->a < 0 ? NAN : (double)kinds.uses[n]);
     }
-    table_note(
+    dataset_note(
         table,
         "mass: of a vertex - corner, rim, inside; springs: half as stiff on the rim; "
         "hinge: bending by the angle theta between two triangles, k theta^2 / 2, over "
@@ -680,7 +681,7 @@ struct table *export_numbers_table(const struct export_sheet *s)
         "held, at a clamp; compliance: of XPBD, with C = length - rest length or C = "
         "theta.");
     if (*misfit.text)
-        table_note(table, "Springs are no plane stress: %s.", misfit.text);
+        dataset_note(table, "Springs are no plane stress: %s.", misfit.text);
     return table;
 }
 
@@ -1474,7 +1475,7 @@ out:
     return st;
 }
 
-static enum status run(const struct command_line *line, struct message *why)
+static enum status run(struct command_line *line, struct message *why)
 {
     const char *out = command_value(line, "--out");
     struct folder_aside aside = {0};

@@ -8,7 +8,7 @@
 #ifndef EXPORT_H
 #define EXPORT_H
 
-#include "bench/ui/table.h"
+#include "bench/data/printer.h"
 #include "models/scene.h"
 
 /* The most points a direction: a quarter of a million vertices and a million springs. */
@@ -21,6 +21,6 @@ struct export_sheet {
 
 /* Makes a table of the numbers of a net of points: equal ones share a row with their count;
  * owned by the caller. */
-struct table *export_numbers_table(const struct export_sheet *s);
+struct dataset *export_numbers_table(const struct export_sheet *s);
 
 #endif

@@ -4,7 +4,7 @@
 #include "bench/ui/command.h"
 #include "bench/ui/show.h"
 
-static enum status run(const struct command_line *line, struct message *why)
+static enum status run(struct command_line *line, struct message *why)
 {
     const char *folder = line->word_count ? line->words[0] : "results";
     const char *out = command_value(line, "--out"), *site = command_value(line, "--site");

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "bench/harness/warnings.h"
-#include "bench/ui/table.h"
+#include "bench/data/printer.h"
 #include "models/clock.h"
 #include "models/contact/contact.h"
 #include "models/damping.h"
@@ -105,14 +105,14 @@ static void describe_contact(const struct run *run, FILE *file)
              "%s%skappa = %.4g Pa; distances are those of the "
              "mid-surface",
              bodies, itself, self.stiffness);
-    table_print_item("contact", 16, line.text, file);
+    wrap_item("contact", 16, line.text, file);
     snprintf(line.text, sizeof line.text,
              "what touches a body leaves it at %.3g m/s at most%s, and creeps at %.3g m/s "
              "at most where friction holds it",
              body.rebound, scene->contact.self ? ", layers part twice as fast" : "",
              body.creep);
     if (isfinite(body.rebound))
-        table_print_item("", 16, line.text, file);
+        wrap_item("", 16, line.text, file);
     if (!(weight > 0))
         return;
     snprintf(
@@ -121,7 +121,7 @@ static void describe_contact(const struct run *run, FILE *file)
         "and leaves it over lambda = %.2g m",
         weight, contact_law_distance(&body, weight),
         contact_law_edge(&body, scene_bending_stiffness(scene), weight));
-    table_print_item("", 16, line.text, file);
+    wrap_item("", 16, line.text, file);
 }
 
 /* Gamma knows the weight, and nothing of what else may bend a sheet. */
@@ -153,7 +153,7 @@ static void describe_warnings(const struct run *run, FILE *file)
     if (fclose(lines) == 0)
         for (char *line = strtok_r(text, "\n", &rest); line;
              line = strtok_r(NULL, "\n", &rest))
-            table_print_item("warning:", sizeof "warning:", line, file);
+            wrap_item("warning:", sizeof "warning:", line, file);
     free(text);
 }
 
@@ -180,9 +180,9 @@ void describe_setup(const struct run *run, FILE *file)
         size.unknowns, size.nodes, size.unknown_basis ? size.unknown_basis : "-",
         size.solver ? size.solver : "none", size.factor_entries);
     if (*run->adapted.text)
-        table_print_item("note", 16, run->adapted.text, file);
+        wrap_item("note", 16, run->adapted.text, file);
     if (*note.text)
-        table_print_item("note", 16, note.text, file);
+        wrap_item("note", 16, note.text, file);
     fprintf(file, "set-up          %.3f ms\n", 1e3 * run->create_seconds);
     describe_warnings(run, file);
 }
@@ -224,8 +224,9 @@ void describe_motion(const struct motion *m, FILE *file)
 
 enum status describe_state(const struct run *run, double t, FILE *file)
 {
-    static const struct table_column columns[] = {
-        {"", NULL, TABLE_LEFT}, {"value", NULL, TABLE_RIGHT}, {"unit", NULL, TABLE_LEFT}};
+    static const struct dataset_column columns[] = {{"", NULL, DATASET_LEFT},
+                                                    {"value", NULL, DATASET_RIGHT},
+                                                    {"unit", NULL, DATASET_LEFT}};
     const struct scene *scene = &run->scene;
     struct energy energy = {NAN, NAN, NAN}; /* of a model that has no such energy */
     char caption[64];
@@ -256,22 +257,23 @@ enum status describe_state(const struct run *run, double t, FILE *file)
     };
     free(xyz);
     snprintf(caption, sizeof caption, "At t = %g s:", t);
-    struct table *table = table_create(3, columns, caption);
+    struct dataset *table = dataset_create(3, columns, caption);
     for (size_t n = 0; n < sizeof row / sizeof *row; n++) {
         const bool drapes =
             !strcmp(row[n].name, "drape coefficient") || !strcmp(row[n].name, "folds");
         if ((drapes && isnan(row[n].value)) ||
             (!obstacles && !strcmp(row[n].name, "penetration")))
             continue;
-        table_line(table, "%s", row[n].name);
+        dataset_line(table, "%s", row[n].name);
         if (!strcmp(row[n].unit, "pairs"))
-            table_add(table, "%.0f", row[n].value);
+            dataset_add(table, "%.0f", row[n].value);
         else
-            table_add(table, "%.6g", row[n].value);
-        table_add(table, "%s", row[n].unit);
+            dataset_add(table, "%.6g", row[n].value);
+        dataset_add(table, "%s", row[n].unit);
     }
     fputc('\n', file);
-    const enum status st = table_end(table, TABLE_TEXT, file);
+    const enum status st =
+        printer_table(&(struct printer){TABLE_TEXT, file}, table, NULL, NULL);
     /* standard error that takes nothing is no reason to fail */
     return st == STATUS_FILE ? STATUS_OK : st;
 }

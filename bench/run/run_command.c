@@ -81,7 +81,7 @@ struct job {
     bool quiet, told;
     long mode_count;
     long every; /* frames: which of them a file keeps */
-    enum table_format format;
+    struct printer *printer;
     struct case_plan c;
     struct run run;
     struct probe probe;
@@ -153,7 +153,6 @@ static enum status read_options(struct job *j, const struct command_line *line,
     TRY(probe_init(&j->probe, count, points, why));
     TRY(check_options(j, line, why));
     TRY(check_out(command_value(line, "--out"), why));
-    TRY(command_format(line, &j->format, why));
     j->c.contestant = contestant_table;
     if (name)
         TRY(contestant_find(name, &j->c.contestant, why));
@@ -277,7 +276,9 @@ static enum status run_static(struct job *j, struct message *why)
     enum status st;
 
     TRY(settle(j, &told, why));
-    TRY(statics_print(&j->run, &told, j->format, j->probe.count ? stderr : stdout));
+    if (j->probe.count)
+        j->printer->file = stderr;
+    TRY(statics_print(&j->run, &told, j->printer));
     if (j->probe.count)
         TRY(probe_print(&j->probe, &j->run, 0, why));
 out:
@@ -292,7 +293,7 @@ static enum status run_modes_of(struct job *j, struct message *why)
     if (j->settled)
         TRY(settle(j, &told, why));
     tell(j, NULL);
-    TRY(statics_modes(&j->run, (int)j->mode_count, j->settled, j->format, stdout, why));
+    TRY(statics_modes(&j->run, (int)j->mode_count, j->settled, j->printer, why));
 out:
     return st;
 }
@@ -331,10 +332,10 @@ static enum status draw(const char *file, const char *picture, struct message *w
     return STATUS_OK;
 }
 
-static enum status run(const struct command_line *line, struct message *why)
+static enum status run(struct command_line *line, struct message *why)
 {
     enum status st = STATUS_OK;
-    struct job j = {0};
+    struct job j = {.printer = &line->printer};
     const char *folder = command_value(line, "--matrices"),
                *out = command_value(line, "--out"),
                *picture = command_value(line, "--picture");
@@ -377,7 +378,8 @@ static const struct command_option options[] = {
      "the N lowest natural frequencies instead of motion,\n"
      "about the rest shape or, with --static, about nonlinear\n"
      "static equilibrium, and whether that is stable"},
-    {"--format", TABLE_FORMATS, false, "format of the table of --static or --modes (text)"},
+    {"--format", PRINTER_FORMATS, false,
+     "format of the table of --static or --modes (text)"},
     {"--probe", "U,V,W", true,
      "print the position of this material point in every\n"
      "frame, as CSV t,u,v,w,x,y,z with 17 digits"},

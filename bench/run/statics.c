@@ -21,24 +21,24 @@ static double deflection_unit(const struct scene *scene)
     return scene_gamma(scene) * scene->length;
 }
 
-static void add_point(struct table *t, const struct scene *scene, const double uvw[3],
+static void add_point(struct dataset *t, const struct scene *scene, const double uvw[3],
                       const double xyz[3])
 {
     double rest[3], along = 0, gravity = 0, unit = deflection_unit(scene);
 
     scene_rest_point(scene, uvw, rest);
-    table_line(t, "%g,%g,%g", uvw[0], uvw[1], uvw[2]);
+    dataset_line(t, "%g,%g,%g", uvw[0], uvw[1], uvw[2]);
     for (int i = 0; i < 3; i++)
-        table_add(t, "%.3g", uvw[i]);
+        dataset_add(t, "%.3g", uvw[i]);
     for (int i = 0; i < 3; i++) {
         double d = xyz[i] - rest[i];
         if (fabs(d) < round_off * scene->length)
             d = 0;
-        table_add(t, "%.7g", d);
+        dataset_add(t, "%.7g", d);
         along += d * scene->gravity[i];
         gravity += scene->gravity[i] * scene->gravity[i];
     }
-    table_add(t, "%.7g", unit > 0 ? along / sqrt(gravity) / unit : NAN);
+    dataset_add(t, "%.7g", unit > 0 ? along / sqrt(gravity) / unit : NAN);
 }
 
 /* Modes whose rate is below this share of sqrt(g / L) are called neutral: a sheet that lies
@@ -46,7 +46,7 @@ static void add_point(struct table *t, const struct scene *scene, const double u
 static const double NEUTRAL = 1e-2;
 
 /* Adds what the lowest modes, ascending, say about the stability of an equilibrium. */
-static void add_stability(struct table *t, const struct scene *scene, int count,
+static void add_stability(struct dataset *t, const struct scene *scene, int count,
                           const double *omega)
 {
     const double *g = scene->gravity;
@@ -57,22 +57,22 @@ static void add_stability(struct table *t, const struct scene *scene, int count,
     while (unstable < count && omega[unstable] < -neutral)
         unstable++;
     if (unstable)
-        table_note(
+        dataset_note(
             t, "The equilibrium is unstable: %d of these modes grow%s, as exp(-omega t).",
             unstable, unstable == 1 ? "s" : "");
     else if (omega[0] <= neutral)
-        table_note(t, "The equilibrium is neutral: it can move without force.");
+        dataset_note(t, "The equilibrium is neutral: it can move without force.");
     else
-        table_note(t, "The equilibrium is stable: no mode grows.");
+        dataset_note(t, "The equilibrium is stable: no mode grows.");
     if (scene->contact.self)
-        table_note(t,
-                   "Where the sheet touches itself its samples meet in turn, and nets of "
-                   "points leave the turning of the contact's normals out: a slow mode "
-                   "that slides one side along the other may be none.");
+        dataset_note(t,
+                     "Where the sheet touches itself its samples meet in turn, and nets of "
+                     "points leave the turning of the contact's normals out: a slow mode "
+                     "that slides one side along the other may be none.");
 }
 
 /* Adds the same to a table of displacements. */
-static void tell_stability(struct table *t, struct run *run)
+static void tell_stability(struct dataset *t, struct run *run)
 {
     struct message why = {{0}};
     double omega;
@@ -80,100 +80,93 @@ static void tell_stability(struct table *t, struct run *run)
     if (!run->model->modes || run->discretization.kinematics != KINEMATICS_NONLINEAR)
         return;
     if (run_modes(run, 1, &omega, &why) != STATUS_OK) {
-        table_note(t, "Its stability is not known: %s", why.text);
+        dataset_note(t, "Its stability is not known: %s", why.text);
         return;
     }
     add_stability(t, &run->scene, 1, &omega);
-    table_note(t, "The lowest mode has omega = %.6g rad/s.", omega);
+    dataset_note(t, "The lowest mode has omega = %.6g rad/s.", omega);
 }
 
-static void tell_contact(struct table *t, const struct run *run)
+static void tell_contact(struct dataset *t, const struct run *run)
 {
     struct model_contact c;
 
     if (!run->scene.obstacle_count || !run->model->contact)
         return;
     run->model->contact(run->state, &c);
-    table_note(t, "Obstacles carry (%.7g, %.7g, %.7g) N at %d nodes of the net.",
-               c.force[0], c.force[1], c.force[2], c.nodes);
+    dataset_note(t, "Obstacles carry (%.7g, %.7g, %.7g) N at %d nodes of the net.",
+                 c.force[0], c.force[1], c.force[2], c.nodes);
 }
 
-enum status statics_print(struct run *run, const struct message *told,
-                          enum table_format format, FILE *file)
+enum status statics_print(struct run *run, const struct message *told, struct printer *p)
 {
-    static const struct table_column columns[] = {
-        {"point u,v,w", NULL, TABLE_LEFT, .readers = TABLE_PEOPLE},
-        {"u", .readers = TABLE_MACHINES},
-        {"v", .readers = TABLE_MACHINES},
-        {"w", .readers = TABLE_MACHINES},
+    static const struct dataset_column columns[] = {
+        {"point u,v,w", NULL, DATASET_LEFT, .readers = DATASET_PEOPLE},
+        {"u", .readers = DATASET_MACHINES},
+        {"v", .readers = DATASET_MACHINES},
+        {"w", .readers = DATASET_MACHINES},
         {"dx", "m"},
         {"dy", "m"},
         {"dz", "m"},
         {"deflection", "rho g h L^4/D", .key = "deflection"}};
     static const double at[] = {0, 0.5, 1};
-    enum status st = STATUS_OK;
     struct energy energy = {NAN, NAN, NAN};
-    struct table *t = NULL;
 
     if (run->model->energy)
         run->model->energy(run->state, &energy);
-    t = TABLE_OF(columns, "Displacements in static equilibrium");
+    struct dataset *t = DATASET_OF(columns, "Displacements in static equilibrium");
     for (int n = 0; n < 9; n++) {
         double uvw[3] = {at[n / 3], at[n % 3], 0.5}, xyz[3];
         run->model->probe(run->state, 1, uvw, xyz);
         add_point(t, &run->scene, uvw, xyz);
     }
-    table_note(t, "Deflection is displacement along gravity; a beam of this length, "
-                  "clamped at u = 0, has 1/8 at its tip where nu = 0.");
-    table_note(t, "Energies [J]: elastic %.7g, potential %.7g.", energy.elastic,
-               energy.potential);
+    dataset_note(t, "Deflection is displacement along gravity; a beam of this length, "
+                    "clamped at u = 0, has 1/8 at its tip where nu = 0.");
+    dataset_note(t, "Energies [J]: elastic %.7g, potential %.7g.", energy.elastic,
+                 energy.potential);
     tell_contact(t, run);
     if (*told->text)
-        table_note(t, "%s", told->text);
+        dataset_note(t, "%s", told->text);
     tell_stability(t, run);
-    TRY(table_print(t, format, file));
-out:
-    table_destroy(t);
-    return st;
+    return printer_table(p, t, NULL, NULL);
 }
 
 /* Adds a mode; a growing one has no frequency: its rate has the sign of omega (model.h). */
-static void add_mode(struct table *t, const struct scene *scene, int n, double omega)
+static void add_mode(struct dataset *t, const struct scene *scene, int n, double omega)
 {
     double L = scene->length, mass = scene->density * scene->thickness;
     double unit = L * L * sqrt(mass / scene_bending_stiffness(scene));
 
-    table_line(t, "%d|%.9g", n, omega);
+    dataset_line(t, "%d|%.9g", n, omega);
     if (omega < 0)
-        table_missing(t, "unstable");
+        dataset_missing(t, "unstable");
     else
-        table_add(t, "%.9g", omega / two_pi);
-    table_add(t, "%.9g", omega * unit);
+        dataset_add(t, "%.9g", omega / two_pi);
+    dataset_add(t, "%.9g", omega * unit);
 }
 
-enum status statics_modes(struct run *run, int count, bool settled,
-                          enum table_format format, FILE *file, struct message *why)
+enum status statics_modes(struct run *run, int count, bool settled, struct printer *p,
+                          struct message *why)
 {
-    static const struct table_column columns[] = {
+    static const struct dataset_column columns[] = {
         {"mode"}, {"omega", "rad/s"}, {"frequency", "Hz"}, {"lambda", "1"}};
     enum status st = STATUS_OK;
     double *omega = malloc((size_t)count * sizeof *omega);
-    struct table *t = NULL;
+    struct dataset *t;
 
     if (!omega)
         return STATUS_MEMORY;
     TRY(run_modes(run, count, omega, why));
-    t = table_create(4, columns,
-                     settled ? "Natural frequencies about static equilibrium"
-                             : "Natural frequencies about the rest shape");
+    t = dataset_create(4, columns,
+                       settled ? "Natural frequencies about static equilibrium"
+                               : "Natural frequencies about the rest shape");
     for (int n = 0; n < count; n++)
         add_mode(t, &run->scene, n + 1, omega[n]);
-    table_note(t, "lambda = omega L^2 sqrt(rho h / D), D = E h^3 / 12 (1 - nu^2).");
+    dataset_note(t, "lambda = omega L^2 sqrt(rho h / D), D = E h^3 / 12 (1 - nu^2).");
     if (settled)
         add_stability(t, &run->scene, count, omega);
-    TRY(table_print(t, format, file));
+    st = printer_table(p, t, NULL, why);
 out:
-    table_destroy(t);
     free(omega);
     return st;
 }

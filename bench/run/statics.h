@@ -4,17 +4,16 @@
 #define STATICS_H
 
 #include "bench/harness/run.h"
-#include "bench/ui/table.h"
+#include "bench/data/printer.h"
 
 /* Prints displacements of the sheet's corners, edges and centre in static equilibrium, to
  * which run_settle moved the state; `told` is what it said of it, or nothing. */
-enum status statics_print(struct run *run, const struct message *told,
-                          enum table_format format, FILE *file);
+enum status statics_print(struct run *run, const struct message *told, struct printer *p);
 
 /* Prints the `count` lowest frequencies about the rest shape or, if it was `settled`, about
  * static equilibrium (nonlinear kinematics). STATUS_UNSUPPORTED with a sentence. */
-enum status statics_modes(struct run *run, int count, bool settled,
-                          enum table_format format, FILE *file, struct message *why);
+enum status statics_modes(struct run *run, int count, bool settled, struct printer *p,
+                          struct message *why);
 
 /* Writes folder/K.mtx and folder/M.mtx of the run that the plan describes; makes the folder
  * if there is none. Unknowns are the control points whatever its settings say, held

@@ -12,7 +12,7 @@
 #include "bench/files/provenance.h"
 #include "bench/frames/frames.h"
 #include "bench/truth/truth_making.h"
-#include "bench/ui/table.h"
+#include "bench/data/printer.h"
 #include "models/reader/named_file.h"
 #include "models/reader/schema.h"
 
@@ -936,19 +936,19 @@ static void add_verdict(void *table, const struct protocol_verdict *v)
 {
     static const char *const tone[] = {"good", "bad", "", ""};
 
-    table_row(table);
-    table_text(table, "%s", protocol_subject_name(v->subject));
-    table_text(table, "%s", v->word);
-    table_text(table, "%s", tone[v->tone]);
-    table_text(table, "%s", v->text);
+    dataset_row(table);
+    dataset_text(table, "%s", protocol_subject_name(v->subject));
+    dataset_text(table, "%s", v->word);
+    dataset_text(table, "%s", tone[v->tone]);
+    dataset_text(table, "%s", v->text);
 }
 
-static struct table *verdicts_of(const struct protocol *p)
+static struct dataset *verdicts_of(const struct protocol *p)
 {
-    static const struct table_column columns[] = {{"subject", NULL, TABLE_LEFT},
-                                                  {"verdict", NULL, TABLE_LEFT},
-                                                  {"tone", NULL, TABLE_LEFT},
-                                                  {"sentence", NULL, TABLE_LEFT}};
+    static const struct dataset_column columns[] = {{"subject", NULL, DATASET_LEFT},
+                                                    {"verdict", NULL, DATASET_LEFT},
+                                                    {"tone", NULL, DATASET_LEFT},
+                                                    {"sentence", NULL, DATASET_LEFT}};
     char title[512];
     int files = 0;
 
@@ -957,83 +957,83 @@ static struct table *verdicts_of(const struct protocol *p)
     snprintf(title, sizeof title, "%s%s%s: its cloth beside known motions",
              p->name ? p->name : p->folder, p->version ? " " : "",
              p->version ? p->version : "");
-    struct table *t = TABLE_OF(columns, title);
+    struct dataset *t = DATASET_OF(columns, title);
     if (p->step > 0)
-        table_note(t, "Its step is said to be %.3g ms.", 1e3 * p->step);
-    table_note(t,
-               "%d file%s of frames on %d scene%s were compared with motions that are "
-               "known, with error bars. Errors are rms distances over the sheet, in per "
-               "cent of its length.",
-               files, files == 1 ? "" : "s", p->scenes, p->scenes == 1 ? "" : "s");
+        dataset_note(t, "Its step is said to be %.3g ms.", 1e3 * p->step);
+    dataset_note(t,
+                 "%d file%s of frames on %d scene%s were compared with motions that are "
+                 "known, with error bars. Errors are rms distances over the sheet, in per "
+                 "cent of its length.",
+                 files, files == 1 ? "" : "s", p->scenes, p->scenes == 1 ? "" : "s");
     protocol_judge(p, add_verdict, t);
     return t;
 }
 
-static struct table *errors_of(const struct protocol *p)
+static struct dataset *errors_of(const struct protocol *p)
 {
-    static const struct table_column columns[] = {{"file", NULL, TABLE_LEFT},
-                                                  {"vertices"},
-                                                  {"time", "s"},
-                                                  {"error"},
-                                                  {"bar"},
-                                                  {"floor"}};
-    struct table *t =
-        TABLE_OF(columns, "Errors, error bars of the truth, floors of the nets, over the "
-                          "length");
+    static const struct dataset_column columns[] = {{"file", NULL, DATASET_LEFT},
+                                                    {"vertices"},
+                                                    {"time", "s"},
+                                                    {"error"},
+                                                    {"bar"},
+                                                    {"floor"}};
+    struct dataset *t =
+        DATASET_OF(columns, "Errors, error bars of the truth, floors of the nets, over the "
+                            "length");
 
     for (int k = 0; k < p->scenes; k++)
         for (int m = 0; m < p->scene[k].runs; m++)
             for (int n = 0; n < p->scene[k].run[m].times; n++) {
                 const struct protocol_run *run = &p->scene[k].run[m];
-                table_row(t);
-                table_text(t, "%s", run->file);
-                table_add(t, "%d|%.3g|%.2g|%.2g|%.2g", run->vertices, run->row[n].time,
-                          run->row[n].error, run->row[n].bar, run->row[n].floor);
+                dataset_row(t);
+                dataset_text(t, "%s", run->file);
+                dataset_add(t, "%d|%.3g|%.2g|%.2g|%.2g", run->vertices, run->row[n].time,
+                            run->row[n].error, run->row[n].bar, run->row[n].floor);
             }
     return t;
 }
 
 /* Lists contestants on each scene and the engine among them. */
-static struct table *places_of(const struct protocol *p)
+static struct dataset *places_of(const struct protocol *p)
 {
-    static const struct table_column columns[] = {{"scene", NULL, TABLE_LEFT},
-                                                  {"place"},
-                                                  {"contestant", NULL, TABLE_LEFT},
-                                                  {"points", NULL, TABLE_LEFT},
-                                                  {"error"}};
-    struct table *t =
-        TABLE_OF(columns, "The best run of each contestant with no more points: error "
-                          "over the length at the worst of the same times");
+    static const struct dataset_column columns[] = {{"scene", NULL, DATASET_LEFT},
+                                                    {"place"},
+                                                    {"contestant", NULL, DATASET_LEFT},
+                                                    {"points", NULL, DATASET_LEFT},
+                                                    {"error"}};
+    struct dataset *t =
+        DATASET_OF(columns, "The best run of each contestant with no more points: error "
+                            "over the length at the worst of the same times");
 
     for (int k = 0; k < p->scenes; k++) {
         struct arena own = {0};
         int count;
         const struct protocol_rival *rival = list_rivals(&own, p, &p->scene[k], &count);
         for (int n = 0; count > 1 && n < count; n++) {
-            table_row(t);
-            table_text(t, "%s", p->scene[k].name);
-            table_add(t, "%d", n + 1);
-            table_text(t, "%s%s", rival[n].own ? "\u2192 " : "", rival[n].title);
-            table_add(t, "%dx%d|%.2g", rival[n].net[0], rival[n].net[1], rival[n].error);
+            dataset_row(t);
+            dataset_text(t, "%s", p->scene[k].name);
+            dataset_add(t, "%d", n + 1);
+            dataset_text(t, "%s%s", rival[n].own ? "\u2192 " : "", rival[n].title);
+            dataset_add(t, "%dx%d|%.2g", rival[n].net[0], rival[n].net[1], rival[n].error);
         }
         arena_clear(&own);
     }
     return t;
 }
 
-static struct table *said_of(const struct protocol *p)
+static struct dataset *said_of(const struct protocol *p)
 {
-    static const struct table_column columns[] = {{"file", NULL, TABLE_LEFT},
-                                                  {"sentence", NULL, TABLE_LEFT}};
-    struct table *t = TABLE_OF(columns, "What score says of each file");
+    static const struct dataset_column columns[] = {{"file", NULL, DATASET_LEFT},
+                                                    {"sentence", NULL, DATASET_LEFT}};
+    struct dataset *t = DATASET_OF(columns, "What score says of each file");
 
     for (int k = 0; k < p->scenes; k++)
         for (int m = 0; m < p->scene[k].runs; m++) {
             const struct protocol_run *run = &p->scene[k].run[m];
             for (int n = 0; n < run->said.count; n++) {
-                table_row(t);
-                table_text(t, "%s", run->file);
-                table_text(t, "%s", run->said.saying[n].text);
+                dataset_row(t);
+                dataset_text(t, "%s", run->file);
+                dataset_text(t, "%s", run->said.saying[n].text);
             }
         }
     return t;
@@ -1051,9 +1051,11 @@ enum status protocol_tables_write(const char *path, const struct protocol *p,
     FILE *file = output_stream(out);
     fprintf(file, "# clothbench score --protocol | commit %s | %s\n",
             provenance_value(&made, "commit"), provenance_value(&made, "date"));
-    struct table *const table[] = {verdicts_of(p), places_of(p), errors_of(p), said_of(p)};
+    struct printer printer = {TABLE_CSV, file};
+    struct dataset *const table[] = {verdicts_of(p), places_of(p), errors_of(p),
+                                     said_of(p)};
     for (size_t n = 0; n < sizeof table / sizeof *table; n++) {
-        const enum status printed = table_finish(table[n], TABLE_CSV, file);
+        const enum status printed = printer_table(&printer, table[n], NULL, why);
         st = st == STATUS_OK ? printed : st;
     }
     TRY(st);

@@ -23,7 +23,6 @@ static enum status prepare(struct job *j, const struct command_line *line,
 
     j->look = (struct score_look){
         .frames.rest = command_value(line, "--rest"), .up = 'z', .scale = 1};
-    TRY(command_format(line, &j->sheet.format, why));
     if (up && (strlen(up) != 1 || !strchr("xyz", *up)))
         TRY(status_fail(why, STATUS_INPUT, "--up %s: x, y or z would be right", up));
     j->look.up = up ? *up : 'z';
@@ -114,7 +113,7 @@ enum { WORDS = 24 }; /* columns of the screen for a verdict's word */
 
 static void add_verdict(void *table, const struct protocol_verdict *v)
 {
-    table_line(table, "%s|%s|%s", protocol_subject_name(v->subject), v->word, v->text);
+    dataset_line(table, "%s|%s|%s", protocol_subject_name(v->subject), v->word, v->text);
 }
 
 static void print_verdict(void *last, const struct protocol_verdict *v)
@@ -123,23 +122,24 @@ static void print_verdict(void *last, const struct protocol_verdict *v)
         printf("%s%s\n", *(int *)last < 0 ? "" : "\n", protocol_subject_name(v->subject));
     *(int *)last = (int)v->subject;
     printf("  ");
-    table_print_item(v->word, WORDS, v->text, stdout);
+    wrap_item(v->word, WORDS, v->text, stdout);
 }
 
-static enum status print_protocol(const struct protocol *p, enum table_format format)
+static enum status print_protocol(const struct protocol *p, struct printer *printer,
+                                  struct message *why)
 {
-    static const struct table_column columns[] = {{"subject", NULL, TABLE_LEFT},
-                                                  {"verdict", NULL, TABLE_LEFT},
-                                                  {"sentence", NULL, TABLE_LEFT}};
+    static const struct dataset_column columns[] = {{"subject", NULL, DATASET_LEFT},
+                                                    {"verdict", NULL, DATASET_LEFT},
+                                                    {"sentence", NULL, DATASET_LEFT}};
     int last = -1;
 
-    if (format == TABLE_TEXT) {
+    if (printer->format == TABLE_TEXT) {
         protocol_judge(p, print_verdict, &last);
         return STATUS_OK;
     }
-    struct table *t = TABLE_OF(columns, NULL);
+    struct dataset *t = DATASET_OF(columns, NULL);
     protocol_judge(p, add_verdict, t);
-    return table_finish(t, format, stdout);
+    return printer_table(printer, t, NULL, why);
 }
 
 static enum status run_protocol(const struct command_line *line, const struct job *j,
@@ -163,7 +163,7 @@ static enum status run_protocol(const struct command_line *line, const struct jo
     out = out ? out : page;
     TRY(protocol_read(folder, &j->look, &p, why));
     TRY(protocol_tables_write(tables, &p, why));
-    TRY(print_protocol(&p, j->sheet.format));
+    TRY(print_protocol(&p, j->sheet.printer, why));
     fflush(stdout);
     st = show_run((const char *const[]){"protocol", tables, out, NULL}, &lack);
     if (st == STATUS_LIBRARY) { /* what it printed is there */
@@ -178,9 +178,9 @@ out:
     return st;
 }
 
-static enum status run(const struct command_line *line, struct message *why)
+static enum status run(struct command_line *line, struct message *why)
 {
-    struct job j = {.sheet.file = stdout};
+    struct job j = {.sheet.printer = &line->printer};
     struct stat about;
     enum status st, refused = STATUS_OK;
 
@@ -202,7 +202,7 @@ static enum status run(const struct command_line *line, struct message *why)
                             line->words[0]));
         TRY(score_folder(&j, line->words[0], &refused, why));
     }
-    TRY(score_print_end(&j.sheet));
+    TRY(score_print_end(&j.sheet, why));
     st = refused;
 out:
     score_print_clear(&j.sheet);
@@ -222,7 +222,7 @@ static const struct command_option options[] = {
      "is at 0"},
     {"--up", "x|y|z", false, "axis of the frames that points up (z)"},
     {"--scale", "K", false, "metres in a unit of the frames (1); 0.001: millimetres"},
-    {"--format", TABLE_FORMATS, false, "output format (text)"},
+    {"--format", PRINTER_FORMATS, false, "output format (text)"},
     {NULL, NULL, false, NULL},
 };
 

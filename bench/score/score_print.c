@@ -3,13 +3,15 @@
 #include <assert.h>
 #include <string.h>
 
+#include "bench/data/json.h"
+
 #include "bench/score/score_stiffness.h"
 
 /* Returns the table, which the first scene begins and others go on with below a line. */
-static struct table *begin_rows(struct score_print *p)
+static struct dataset *begin_rows(struct score_print *p)
 {
-    static const struct table_column columns[] = {
-        {"scene", NULL, TABLE_LEFT},
+    static const struct dataset_column columns[] = {
+        {"scene", NULL, DATASET_LEFT},
         {"time", "s", .key = "time"},
         {"error", "% L", .key = "error", .scale = 100, .key_unit = "L"},
         {"bar", "% L", .key = "bar", .scale = 100, .key_unit = "L"},
@@ -17,11 +19,11 @@ static struct table *begin_rows(struct score_print *p)
     };
 
     if (p->table)
-        table_rule(p->table);
+        dataset_rule(p->table);
     else
-        p->table = TABLE_OF(columns, !table_format_is_data(p->format)
-                                         ? "Frames against the truth: rms over the sheet"
-                                         : NULL);
+        p->table = DATASET_OF(columns, !printer_is_data(p->printer)
+                                           ? "Frames against the truth: rms over the sheet"
+                                           : NULL);
     return p->table;
 }
 
@@ -129,16 +131,16 @@ static void add_notes(const struct score_print *p, const struct score *s,
 
     score_print_say(s, d, &said);
     for (int n = 0; n < said.count; n++)
-        table_note(p->table, "%s%s%s", name, colon, said.saying[n].text);
-    table_note(p->table, "%s%s%s.", name, colon, range);
-    table_note(p->table, "%s%sThe truth: %s.", name, colon, s->truth.known.source);
+        dataset_note(p->table, "%s%s%s", name, colon, said.saying[n].text);
+    dataset_note(p->table, "%s%s%s.", name, colon, range);
+    dataset_note(p->table, "%s%sThe truth: %s.", name, colon, s->truth.known.source);
 }
 
 /* Prints a member of a JSON object: its key and a text. */
 static void print_text(FILE *file, const char *key, const char *text)
 {
     fprintf(file, "\"%s\": ", key);
-    table_json_string(text, file);
+    json_string(text, file);
 }
 
 /* Prints the sayings of each part as a list of objects, by the name of the part. */
@@ -164,11 +166,10 @@ static void print_said(const struct score_print_said *said, FILE *file)
 }
 
 static void print_json(const struct score *s, const struct score_diagnosis *d,
-                       const char *range, FILE *to)
+                       const char *range, FILE *file)
 {
     const char *scene = s->truth.scene.name;
     struct score_print_said said;
-    FILE *file = table_json_open(to);
 
     fputc('{', file);
     print_text(file, "scene", scene);
@@ -196,46 +197,45 @@ void score_print_add(struct score_print *p, const struct score *s,
     char range[512];
 
     range_text(s, sizeof range, range);
-    if (p->format == TABLE_JSON) {
-        print_json(s, d, range, p->file);
+    if (p->printer->format == TABLE_JSON) {
+        print_json(s, d, range, printer_json(p->printer));
         return;
     }
-    struct table *t = begin_rows(p);
+    struct dataset *t = begin_rows(p);
     for (int n = 0; n < s->times; n++)
-        table_line(t, "%s|%.3g|%.2g|%.2g|%.2g", s->truth.scene.name, s->row[n].time,
-                   s->row[n].error, s->row[n].bar, s->row[n].floor);
+        dataset_line(t, "%s|%.3g|%.2g|%.2g|%.2g", s->truth.scene.name, s->row[n].time,
+                     s->row[n].error, s->row[n].bar, s->row[n].floor);
     add_notes(p, s, d, range);
 }
 
 void score_print_refusal(struct score_print *p, const char *scene,
                          const struct message *refused)
 {
-    FILE *file = p->format == TABLE_JSON ? table_json_open(p->file) : NULL;
-
-    if (file) {
+    if (p->printer->format == TABLE_JSON) {
+        FILE *file = printer_json(p->printer);
         fputc('{', file);
         print_text(file, "scene", scene);
         fputs(", \"rows\": [], \"diagnosis\": [], ", file);
         print_text(file, "refused", refused->text);
         fputs("}\n", file);
-    }
-    if (p->format == TABLE_JSON)
         return;
-    struct table *t = begin_rows(p);
-    table_line(t, "%s|-", scene);
-    table_missing(t, "refused");
-    table_note(t, "%s%s%s.", p->named ? scene : "", p->named ? ": " : "", refused->text);
+    }
+    struct dataset *t = begin_rows(p);
+    dataset_line(t, "%s|-", scene);
+    dataset_missing(t, "refused");
+    dataset_note(t, "%s%s%s.", p->named ? scene : "", p->named ? ": " : "", refused->text);
 }
 
-enum status score_print_end(struct score_print *p)
+enum status score_print_end(struct score_print *p, struct message *why)
 {
-    if (p->format == TABLE_JSON)
-        return ferror(p->file) ? STATUS_FILE : STATUS_OK;
-    return table_print(p->table, p->format, p->file);
+    struct dataset *sheet = p->table;
+
+    p->table = NULL;
+    return sheet ? printer_table(p->printer, sheet, NULL, why) : STATUS_OK;
 }
 
 void score_print_clear(struct score_print *p)
 {
-    table_destroy(p->table);
+    dataset_destroy(p->table);
     p->table = NULL;
 }

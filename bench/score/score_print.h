@@ -3,13 +3,12 @@
 #define SCORE_PRINT_H
 
 #include "bench/score/score_diagnosis.h"
-#include "bench/ui/table.h"
+#include "bench/data/printer.h"
 
 struct score_print {
-    enum table_format format;
+    struct printer *printer;
     bool named; /* sentences begin with the scene's name, as there are several          */
-    FILE *file;
-    struct table *table; /* NULL before the first score, and for JSON           owned   */
+    struct dataset *table; /* NULL before the first score, and for JSON           owned   */
 };
 
 /* A score says, in one list for text, JSON and the protocol, what is wrong with its frames,
@@ -48,8 +47,8 @@ void score_print_add(struct score_print *p, const struct score *score,
 void score_print_refusal(struct score_print *p, const char *scene,
                          const struct message *refused);
 
-/* Prints the sheet. STATUS_MEMORY, or STATUS_FILE if the file fails. */
-enum status score_print_end(struct score_print *p);
+/* Prints the sheet, and clears it. STATUS_FILE if the file fails. */
+enum status score_print_end(struct score_print *p, struct message *why);
 
 void score_print_clear(struct score_print *p); /* all-zero is allowed */
 

@@ -88,7 +88,7 @@ static void add_peer(const struct reference *r, int row, int before, char text[W
 /* Adds a note on the programs of other people that did the work `name`: their times in
  * tests/reference/peers.csv, measured elsewhere side by side with ours, with version and
  * solver, and never in a ratio with what is measured here; nothing if there are none. */
-static enum status note_peers(struct table *t, const char *name, struct message *why)
+static enum status note_peers(struct dataset *t, const char *name, struct message *why)
 {
     struct reference *r = NULL;
     char text[WORDS] = "";
@@ -99,25 +99,25 @@ static enum status note_peers(struct table *t, const char *name, struct message 
          before = row, row = reference_find(r, row + 1, "case", name))
         add_peer(r, row, before, text);
     if (*text)
-        table_note(t, "%s elsewhere, %s, %s, beside %s. %s.", name,
-                   reference_note(r, "source"), reference_note(r, "date"),
-                   reference_note(r, "ours"), text);
+        dataset_note(t, "%s elsewhere, %s, %s, beside %s. %s.", name,
+                     reference_note(r, "source"), reference_note(r, "date"),
+                     reference_note(r, "ours"), text);
 out:
     reference_close(r);
     return st;
 }
 
-static void add_phase(struct table *t, const struct solid_row *row, const char *phase,
+static void add_phase(struct dataset *t, const struct solid_row *row, const char *phase,
                       const struct clock_summary *s, double aim)
 {
-    table_line(t, "%s|%s|%.3g|%.3g|%.3g|%.3g|%d", row->title, phase, 1e3 * s->median,
-               1e3 * s->min, 1e3 * s->lower, 1e3 * s->upper, s->count);
+    dataset_line(t, "%s|%s|%.3g|%.3g|%.3g|%.3g|%d", row->title, phase, 1e3 * s->median,
+                 1e3 * s->min, 1e3 * s->lower, 1e3 * s->upper, s->count);
     if (aim <= 0)
         return;
-    table_add(t, "%.3g|%s", aim, 1e3 * s->median <= aim ? "yes" : "no");
+    dataset_add(t, "%.3g|%s", aim, 1e3 * s->median <= aim ? "yes" : "no");
 }
 
-static enum status add_rows(struct table *t, const struct solid_row *row,
+static enum status add_rows(struct dataset *t, const struct solid_row *row,
                             const struct run_result *r, struct message *why)
 {
     static const char *const phase[] = {"K and M", "factor", "solve"};
@@ -126,31 +126,31 @@ static enum status add_rows(struct table *t, const struct solid_row *row,
     for (int p = 0; p < BENCH_SOLID_FRAME && r->phase[p].count; p++)
         add_phase(t, row, phase[p], &r->phase[p], row->phase[p]);
     if (r->outcome || run_result_missed(r))
-        table_note(t, "%s: %s.", row->title, r->sentence.text);
-    table_note(t, "%s: %.0f unknowns, %.0f numbers in L, set-up %.3g ms.", row->title,
-               r->unknowns, r->factor_entries, 1e3 * r->create.median);
+        dataset_note(t, "%s: %s.", row->title, r->sentence.text);
+    dataset_note(t, "%s: %.0f unknowns, %.0f numbers in L, set-up %.3g ms.", row->title,
+                 r->unknowns, r->factor_entries, 1e3 * r->create.median);
     return note_peers(t, row->title, why);
 }
 
 static enum status print_solids(const struct bench *b, struct message *why)
 {
-    static const struct table_column columns[] = {{"case", NULL, TABLE_LEFT},
-                                                  {"phase", NULL, TABLE_LEFT},
-                                                  {"median", "ms"},
-                                                  {"min", "ms"},
-                                                  {"lower", "ms"},
-                                                  {"upper", "ms"},
-                                                  {"repeats"},
-                                                  {"aim", "ms"},
-                                                  {"reached", NULL, TABLE_LEFT}};
-    struct table *t = TABLE_OF(columns, "Speed of the solids, one thread");
+    static const struct dataset_column columns[] = {{"case", NULL, DATASET_LEFT},
+                                                    {"phase", NULL, DATASET_LEFT},
+                                                    {"median", "ms"},
+                                                    {"min", "ms"},
+                                                    {"lower", "ms"},
+                                                    {"upper", "ms"},
+                                                    {"repeats"},
+                                                    {"aim", "ms"},
+                                                    {"reached", NULL, DATASET_LEFT}};
+    struct dataset *t = DATASET_OF(columns, "Speed of the solids, one thread");
     enum status st;
 
     for (int n = 0; n < b->batch.count; n++)
         TRY(add_rows(t, &solids[n], &b->result[n], why));
-    return table_finish(t, b->format, b->file);
+    return printer_table(b->printer, t, NULL, why);
 out:
-    table_destroy(t);
+    dataset_destroy(t);
     return st;
 }
 
@@ -190,46 +190,46 @@ static enum status plan_contestants(struct bench *b, struct message *why)
     return st;
 }
 
-static void add_contestant(struct table *t, const struct contestant *c,
+static void add_contestant(struct dataset *t, const struct contestant *c,
                            const struct run_result *r)
 {
     const bool ran = !run_result_refused(r);
 
-    table_line(t, "%s|%s|%s|%dx%d|%.0f|%.3g|%.3g|%.0f|%.3g|%s", c->title, c->name,
-               c->model->name, usual_side(c), usual_side(c), ran ? r->unknowns : NAN,
-               ran ? 1e3 * r->create.median : NAN, ran ? 1e3 * r->step.median : NAN,
-               ran ? r->step.count : NAN,
-               ran && r->work.iterations
-                   ? (double)r->work.iterations / (double)r->work.steps
-                   : NAN,
-               r->sentence.text);
+    dataset_line(t, "%s|%s|%s|%dx%d|%.0f|%.3g|%.3g|%.0f|%.3g|%s", c->title, c->name,
+                 c->model->name, usual_side(c), usual_side(c), ran ? r->unknowns : NAN,
+                 ran ? 1e3 * r->create.median : NAN, ran ? 1e3 * r->step.median : NAN,
+                 ran ? r->step.count : NAN,
+                 ran && r->work.iterations
+                     ? (double)r->work.iterations / (double)r->work.steps
+                     : NAN,
+                 r->sentence.text);
     if (r->outcome || run_result_missed(r))
-        table_note(t, "%s: %s.", c->title, r->sentence.text);
+        dataset_note(t, "%s: %s.", c->title, r->sentence.text);
 }
 
 static enum status print_contestants(const struct bench *b, struct message *why)
 {
-    (void)why;
-    static const struct table_column columns[] = {
-        {"model", NULL, TABLE_LEFT, .key = "title"},
-        {"contestant", NULL, TABLE_LEFT, .readers = TABLE_MACHINES},
-        {"model", NULL, TABLE_LEFT, .readers = TABLE_MACHINES, .key = "model"},
-        {"net", NULL, TABLE_LEFT},
+    static const struct dataset_column columns[] = {
+        {"model", NULL, DATASET_LEFT, .key = "title"},
+        {"contestant", NULL, DATASET_LEFT, .readers = DATASET_MACHINES},
+        {"model", NULL, DATASET_LEFT, .readers = DATASET_MACHINES, .key = "model"},
+        {"net", NULL, DATASET_LEFT},
         {"unknowns"},
         {"set-up", "ms"},
         {"a frame", "ms"},
         {"repeats"},
         {"iterations", "a frame", .key = "iterations_a_frame"},
-        {"outcome", NULL, TABLE_LEFT, .readers = TABLE_MACHINES}};
-    struct table *t =
-        TABLE_OF(columns, "A frame of each contestant, edge_drop to 0.2 s, one thread");
+        {"outcome", NULL, DATASET_LEFT, .readers = DATASET_MACHINES}};
+    struct dataset *t =
+        DATASET_OF(columns, "A frame of each contestant, edge_drop to 0.2 s, one thread");
 
     for (int n = 0; n < b->batch.count; n++)
         add_contestant(t, b->batch.cases[n].contestant, &b->result[n]);
-    table_note(t, "Times are medians of the repeats. Motions are undamped except for the "
-                  "paper's own scheme. Iterations are Newton's, or local and global steps; "
-                  "none means one solve a frame.");
-    return table_finish(t, b->format, b->file);
+    dataset_note(t,
+                 "Times are medians of the repeats. Motions are undamped except for the "
+                 "paper's own scheme. Iterations are Newton's, or local and global steps; "
+                 "none means one solve a frame.");
+    return printer_table(b->printer, t, NULL, why);
 }
 
 const struct bench_part bench_part_contestants = {
@@ -276,9 +276,9 @@ static enum status run_part(const struct bench_part *part, struct bench *b, bool
     for (int n = 0; n < b->batch.count; n++)
         TRY(run_result_read(b->batch.cases[n].keep.file, false, &b->result[n], why));
     TRY(part->print(b, why));
-    if (table_format_is_prose(b->format)) {
-        measurement_machine(b->batch.cases->keep.file, b->file);
-        fprintf(b->file, "\n");
+    if (printer_is_prose(b->printer)) {
+        measurement_machine(b->batch.cases->keep.file, b->printer->file);
+        fprintf(b->printer->file, "\n");
     }
 out:
     for (int n = 0; b->result && n < b->batch.count; n++)
@@ -317,17 +317,16 @@ static enum status check_word(const char *word, bool read_only, struct message *
                        names);
 }
 
-static enum status run(const struct command_line *line, struct message *why)
+static enum status run(struct command_line *line, struct message *why)
 {
     const char *from;
     struct bench b = {.folder = "results/bench",
                       .models = command_value(line, "--models"),
-                      .file = stdout,
+                      .printer = &line->printer,
                       .quick = command_given(line, "--quick")};
     char *path = NULL;
     enum status st = STATUS_OK;
 
-    TRY(command_format(line, &b.format, why));
     TRY(command_folder(line, &b.folder, &from, why));
     for (int n = 0; n < line->word_count; n++)
         TRY(check_word(line->words[n], from != NULL, why));
@@ -340,7 +339,7 @@ static enum status run(const struct command_line *line, struct message *why)
         if (wanted(line, part, from != NULL))
             TRY(run_part(part, &b, from != NULL, why));
     }
-    if (!from && table_format_is_prose(b.format))
+    if (!from && printer_is_prose(b.printer))
         printf("Peak memory %.0f MB; BLAS kernel %s, %d thread.\n",
                (double)clock_peak_memory() / 1e6, blas_kernel_name(),
                blas_kernel_threads());
@@ -353,7 +352,7 @@ static const struct command_option options[] = {
     {"--models", "NAME,NAME,...", false,
      "models or contestants of the timing table (those that\n"
      "take part; `clothbench list contestants`)"},
-    {"--format", TABLE_FORMATS, false, "output format (text)"},
+    {"--format", PRINTER_FORMATS, false, "output format (text)"},
     {"--out", "DIR", false, "folder of all repeats (results/bench)"},
     {"--from", "DIR", false, "print again from the files of an earlier run"},
     {"--quick", NULL, false, "three repeats of everything, and the smaller nets"},

@@ -7,13 +7,12 @@
 
 #include "bench/experiment/batch.h"
 #include "bench/ui/command.h"
-#include "bench/ui/table.h"
+#include "bench/data/printer.h"
 
 struct bench {
     const char *folder, *path; /* of its results; of edge_drop's scene file         */
     const char *models;        /* of --models; NULL: all                            */
-    enum table_format format;
-    FILE *file; /* to print to                                                          */
+    struct printer *printer;
     bool quick;
     struct batch batch;        /* the part's runs                                       */
     struct run_result *result; /* [batch.count], when it is printed              owned  */

@@ -257,49 +257,50 @@ static double growth(const struct net *nets, int count, enum what what)
            log((double)last->side / first->side) / 2;
 }
 
-static enum status print(const struct bench *b, int count, const struct net *nets)
+static enum status print(const struct bench *b, int count, const struct net *nets,
+                         struct message *why)
 {
-    static const struct table_column columns[] = {{"net", NULL, TABLE_LEFT},
-                                                  {"feet"},
-                                                  {"step", "us"},
-                                                  {"kept", "us"},
-                                                  {"over step"},
-                                                  {"again", "us"},
-                                                  {"steps kept"},
-                                                  {"moving", "us"},
-                                                  {"moving over step"},
-                                                  {"every pair", "us"},
-                                                  {"gain"},
-                                                  {"repeats"}};
-    struct table *t = TABLE_OF(columns, "Searching a sheet for contact with itself");
+    static const struct dataset_column columns[] = {{"net", NULL, DATASET_LEFT},
+                                                    {"feet"},
+                                                    {"step", "us"},
+                                                    {"kept", "us"},
+                                                    {"over step"},
+                                                    {"again", "us"},
+                                                    {"steps kept"},
+                                                    {"moving", "us"},
+                                                    {"moving over step"},
+                                                    {"every pair", "us"},
+                                                    {"gain"},
+                                                    {"repeats"}};
+    struct dataset *t = DATASET_OF(columns, "Searching a sheet for contact with itself");
 
     for (const struct net *n = nets; n < nets + SHAPES * count; n++)
-        table_line(t, "%s %dx%d|%d|%.3g|%.3g|%.3g|%.3g|%.3g|%.3g|%.3g|%.3g|%.3g|%d",
-                   n->shape->name, n->side, n->side, n->feet, 1e6 * median(n, STEP),
-                   1e6 * median(n, KEPT), median(n, KEPT) / median(n, STEP),
-                   1e6 * median(n, AGAIN), n->steps_kept, 1e6 * median(n, MOVING),
-                   median(n, MOVING) / median(n, STEP), 1e6 * median(n, EVERY_PAIR),
-                   median(n, EVERY_PAIR) / median(n, AGAIN), n->repeats[KEPT]);
-    table_note(
+        dataset_line(t, "%s %dx%d|%d|%.3g|%.3g|%.3g|%.3g|%.3g|%.3g|%.3g|%.3g|%.3g|%d",
+                     n->shape->name, n->side, n->side, n->feet, 1e6 * median(n, STEP),
+                     1e6 * median(n, KEPT), median(n, KEPT) / median(n, STEP),
+                     1e6 * median(n, AGAIN), n->steps_kept, 1e6 * median(n, MOVING),
+                     median(n, MOVING) / median(n, STEP), 1e6 * median(n, EVERY_PAIR),
+                     median(n, EVERY_PAIR) / median(n, AGAIN), n->repeats[KEPT]);
+    dataset_note(
         t, "A sheet of 1 m, contact from 2 mm on. The column `step` is an explicit step of "
            "the net's springs, `kept` a search whose near triangles still hold, `again` "
            "one that finds them again (after samples have moved by the margin against "
            "each other), `every pair` one that looks at all samples and cells, boxes "
            "first, and finds the same.");
-    table_note(
+    dataset_note(
         t,
         "In `moving` the sheet turns about an edge or is folded ever more, its parts "
         "at %g m/s against each other, in steps of a cell over %g m/s; its search is "
         "the mean of %d steps, and near triangles hold for so many as `steps kept` "
         "tells (a motion of %d at most).",
         speed, waves, STEPS, STEPS);
-    table_note(
+    dataset_note(
         t,
         "With the number of points the time grows by the power %.2f (flat) and %.2f "
         "(folded) where triangles are kept, %.2f and %.2f where they are found again.",
         growth(nets, count, KEPT), growth(nets + count, count, KEPT),
         growth(nets, count, AGAIN), growth(nets + count, count, AGAIN));
-    return table_finish(t, b->format, b->file);
+    return printer_table(b->printer, t, NULL, why);
 }
 
 static enum status measure(struct bench *b, struct message *why)
@@ -323,7 +324,7 @@ static enum status measure(struct bench *b, struct message *why)
         n->feet = n->by_tree;
         TRY(time_motion(n, b->quick));
     }
-    st = print(b, count, nets);
+    st = print(b, count, nets, why);
 out:
     for (int k = 0; nets && k < CASES; k++)
         clear(&nets[k]);

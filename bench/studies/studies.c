@@ -38,7 +38,7 @@ struct asked {
     struct plan plan;
     const char *from;  /* NULL: it is measured */
     char folder[4096]; /* of the result files                                            */
-    enum table_format format;
+    struct printer *printer;
     bool quick;
 };
 
@@ -82,7 +82,7 @@ static enum status read_plan(const char *path, struct plan *plan, struct message
     enum status st;
 
     TRY(plan_read(path, plan, why));
-    TRY(dataset_check(plan, why));
+    TRY(results_check(plan, why));
     if (!plan_is_study(plan))
         st = status_fail(why, STATUS_INPUT,
                          "%s: the plan has no times, so it is no study; clothbench sweep "
@@ -125,7 +125,7 @@ out:
     return st;
 }
 
-static enum status read_line(const struct command_line *line, struct asked *a,
+static enum status read_line(struct command_line *line, struct asked *a,
                              struct message *why)
 {
     const char *folder = NULL;
@@ -133,7 +133,7 @@ static enum status read_line(const struct command_line *line, struct asked *a,
 
     TRY(choose(line, a, why));
     TRY(command_folder(line, &folder, &a->from, why));
-    TRY(command_format(line, &a->format, why));
+    a->printer = &line->printer;
     if (folder)
         snprintf(a->folder, sizeof a->folder, "%s", folder);
     a->quick = command_given(line, "--quick");
@@ -162,18 +162,17 @@ out:
 static enum status print(const struct command_line *line, const struct asked *a,
                          struct message *why)
 {
-    struct printer out = {a->format, stdout, NULL}, folder = {.format = TABLE_TEXT};
-    struct printer *keep = table_format_is_prose(a->format) ? &out : &folder;
+    struct printer *out = a->printer, folder = {.format = TABLE_TEXT};
+    struct printer *keep = printer_is_prose(out) ? out : &folder;
     struct study_results r = {0};
     struct kept *kept = NULL;
     enum status st = STATUS_OK;
 
-    kept_open(a->folder, line->command->name, line->words[0], &kept);
+    kept_open(a->folder, line->command->name, line->words[0], keep, &kept);
     TRY(study_read(&a->plan, a->folder, &r, why));
-    keep->kept = kept;
-    if (kept && keep != &out)
-        TRY(claim_tell(&r, a->folder, keep, why));
-    TRY(claim_tell(&r, a->folder, &out, why));
+    if (kept && keep != out)
+        TRY(claim_tell(&r, a->folder, keep, kept, why));
+    TRY(claim_tell(&r, a->folder, out, keep == out ? kept : NULL, why));
     TRY(kept_close(&kept, why));
 out:
     kept_discard(&kept);
@@ -200,7 +199,7 @@ static enum status read_one(const char *path, const struct asked *all, struct as
 {
     enum status st;
 
-    *a = (struct asked){.from = all->from, .format = all->format, .quick = all->quick};
+    *a = (struct asked){.from = all->from, .printer = all->printer, .quick = all->quick};
     TRY(plan_read(path, &a->plan, why));
     for (const struct table_plan *t = tables; t->plan; t++)
         if (!strcmp(t->plan, a->plan.name))
@@ -219,6 +218,7 @@ static enum status add_plan(const char *path, const struct asked *all, struct st
 {
     struct asked *a = calloc(1, sizeof *a);
     struct study_results r = {0};
+    struct printer silent = {.format = TABLE_TEXT};
     struct kept *kept = NULL;
     enum status st = a ? STATUS_OK : STATUS_MEMORY;
 
@@ -229,10 +229,9 @@ static enum status add_plan(const char *path, const struct asked *all, struct st
     if (!a->from)
         TRY(measure(a, why));
     TRY(study_read(&a->plan, a->folder, &r, why));
-    kept_open(a->folder, "study", a->plan.name, &kept);
+    kept_open(a->folder, "study", a->plan.name, &silent, &kept);
     if (kept)
-        TRY(claim_tell(&r, a->folder, &(struct printer){.format = TABLE_TEXT, .kept = kept},
-                       why));
+        TRY(claim_tell(&r, a->folder, &silent, kept, why));
     TRY(kept_close(&kept, why));
     TRY(statements_add(s, &r));
 out:
@@ -261,7 +260,7 @@ static enum status run_all(const struct asked *all, struct message *why)
         free(path);
         TRY(st);
     }
-    TRY(statements_print(s, all->format, stdout));
+    TRY(statements_print(s, all->printer, why));
     show_tell(all->folder);
 out:
     named_file_list_free(plans, count);
@@ -272,7 +271,7 @@ out:
 /* --- the commands ------------------------------------------------------------------------
  */
 
-static enum status run(const struct command_line *line, struct message *why)
+static enum status run(struct command_line *line, struct message *why)
 {
     struct asked *a = calloc(1, sizeof *a);
     enum status st = a ? STATUS_OK : STATUS_MEMORY;
@@ -295,7 +294,7 @@ out:
 }
 
 static const struct command_option options[] = {
-    {"--format", TABLE_FORMATS, false, "output format (text)"},
+    {"--format", PRINTER_FORMATS, false, "output format (text)"},
     {"--out", "DIR", false,
      "folder of result files and CSV\n"
      "(results/table1, results/study_mesh, ...)"},

@@ -214,6 +214,7 @@ static void print_cost(const struct sweep *s)
 static enum status collect(const struct sweep *s, struct message *why)
 {
     const char *folder = s->folder.path;
+    struct printer p = {TABLE_TEXT, s->quiet ? NULL : stdout, folder};
     struct sweep_rows rows = {0};
     struct sweep_falls falls = {0};
     enum status st;
@@ -221,15 +222,13 @@ static enum status collect(const struct sweep *s, struct message *why)
     TRY(sweep_rows_read(&rows, &s->plan, &s->folder));
     TRY(sweep_rows_save(&rows, folder, why));
     TRY(sweep_falls_judge(&falls, &rows));
-    if (falls.table)
-        TRY(table_save(falls.table, folder, "falls", why));
     TRY(sweep_map(&rows, folder, why));
-    if (!s->quiet) {
+    if (!s->quiet)
         sweep_rows_print(&rows, stdout);
-        TRY(sweep_falls_print(&falls, stdout));
+    TRY(sweep_falls_print(&falls, &p, why));
+    if (!s->quiet)
         print_cost(s);
-        TRY(ferror(stdout) ? STATUS_FILE : STATUS_OK);
-    }
+    TRY(ferror(stdout) ? STATUS_FILE : STATUS_OK);
     if (falls.grown)
         st = status_fail(why, STATUS_FAILED, "%s grows along %s in %ld of %ld rows",
                          measure_name(s->plan.falls.measure), s->plan.falls.along,
@@ -270,7 +269,7 @@ static enum status prepare(void *context, struct message *why)
     return st;
 }
 
-static enum status run(const struct command_line *line, struct message *why)
+static enum status run(struct command_line *line, struct message *why)
 {
     struct sweep s = {.word = line->words[0],
                       .out = command_value(line, "--out"),

@@ -12,7 +12,7 @@
 #include "bench/harness/pool.h"
 #include "bench/harness/run_result.h"
 #include "bench/ui/command.h"
-#include "bench/ui/table.h"
+#include "bench/data/printer.h"
 
 /* --- The folder (sweep_folder.c), in which a sweep keeps what it has done, so that it can
  * go on after anything.
@@ -127,9 +127,9 @@ void sweep_rows_print(const struct sweep_rows *rows, FILE *file);
  * each choice of the other labels, the values of the axis as columns, and where it grows.
  */
 struct sweep_falls {
-    struct table *table; /* NULL: the plan says of nothing that it falls         owned */
-    char *keys;          /* of its columns                                       owned */
-    long rows, grown;    /* rows with two values to compare; those in which one grows   */
+    struct dataset *table; /* NULL: the plan says of nothing that it falls         owned */
+    char *keys;            /* of its columns                                       owned */
+    long rows, grown;      /* rows with two values to compare; those in which one grows   */
 };
 
 /* Judges all rows. A value grows if it is above the smallest one before it in its row by
@@ -139,7 +139,8 @@ enum status sweep_falls_judge(struct sweep_falls *f, const struct sweep_rows *ro
 void sweep_falls_clear(struct sweep_falls *f); /* all-zero is allowed */
 
 /* Prints the table and a sentence; nothing without a table. */
-enum status sweep_falls_print(const struct sweep_falls *f, FILE *file);
+enum status sweep_falls_print(struct sweep_falls *f, struct printer *p,
+                              struct message *why);
 
 /* --- The map (sweep_map.c): labels over two keys or measures, a panel for each value of a
  * third, with the plan's marks on it, as FOLDER/map.csv, which `report` draws.

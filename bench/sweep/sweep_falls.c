@@ -12,25 +12,25 @@ static enum status create_table(struct sweep_falls *f, const struct plan *plan,
     enum { KEY = 32 };
     const struct plan_study *study = plan->studies;
     const int most = study->axis_count + along->count + 2;
-    struct table_column *columns = calloc((size_t)most, sizeof *columns), *c = columns;
+    struct dataset_column *columns = calloc((size_t)most, sizeof *columns), *c = columns;
     char caption[256];
 
     f->keys = calloc((size_t)along->count, KEY);
     if (columns && f->keys) {
         for (int n = 0; n < study->axis_count; n++)
             if (&study->axis[n] != along)
-                *c++ = (struct table_column){study->axis[n].name, .align = TABLE_LEFT,
-                                             .key = study->axis[n].name};
+                *c++ = (struct dataset_column){study->axis[n].name, .align = DATASET_LEFT,
+                                               .key = study->axis[n].name};
         for (int n = 0; n < along->count; n++) {
             char *key = f->keys + n * KEY;
             snprintf(key, KEY, "at_%d", n + 1);
-            *c++ = (struct table_column){along->levels[n].label, .key = key};
+            *c++ = (struct dataset_column){along->levels[n].label, .key = key};
         }
-        *c++ = (struct table_column){"may grow by", .key = "by"};
-        *c++ = (struct table_column){"grows at", .align = TABLE_LEFT};
+        *c++ = (struct dataset_column){"may grow by", .key = "by"};
+        *c++ = (struct dataset_column){"grows at", .align = DATASET_LEFT};
         snprintf(caption, sizeof caption, "%s along %s", measure_name(plan->falls.measure),
                  plan->falls.along);
-        f->table = table_create((int)(c - columns), columns, caption);
+        f->table = dataset_create((int)(c - columns), columns, caption);
     }
     free(columns);
     return f->table ? STATUS_OK : STATUS_MEMORY;
@@ -61,7 +61,7 @@ static void judge(struct sweep_falls *f, const struct sweep_rows *rows,
         const long at =
             sweep_rows_with(rows->plan, first, &(struct plan_settings){1, &label});
         if (at < 0) {
-            table_missing(f->table, "left out");
+            dataset_missing(f->table, "left out");
             continue;
         }
         const struct sweep_row *row = &rows->row[at];
@@ -73,14 +73,14 @@ static void judge(struct sweep_falls *f, const struct sweep_rows *rows,
             TEXT_JOIN(grows_at, " ", "%s", label.value);
         judged += !lack || died;
         if (lack) {
-            table_missing(f->table, "%s", lack);
+            dataset_missing(f->table, "%s", lack);
             continue;
         }
-        table_add(f->table, "%.3g", value);
+        dataset_add(f->table, "%.3g", value);
         least = fmin(least, value);
         bar = by;
     }
-    table_add(f->table, "%.3g|%s", bar, grows_at);
+    dataset_add(f->table, "%.3g|%s", bar, grows_at);
     f->rows += judged > 1;
     f->grown += *grows_at != '\0';
 }
@@ -102,10 +102,10 @@ enum status sweep_falls_judge(struct sweep_falls *f, const struct sweep_rows *ro
         const struct plan_level *level = &study->levels[n];
         if (level->part[along - study->axis] != along->levels)
             continue;
-        table_row(f->table);
+        dataset_row(f->table);
         for (int a = 0; a < study->axis_count; a++)
             if (&study->axis[a] != along)
-                table_text(f->table, "%s", level->part[a]->label);
+                dataset_text(f->table, "%s", level->part[a]->label);
         judge(f, rows, along, n);
     }
 out:
@@ -114,22 +114,19 @@ out:
 
 void sweep_falls_clear(struct sweep_falls *f)
 {
-    table_destroy(f->table);
+    dataset_destroy(f->table);
     free(f->keys);
     *f = (struct sweep_falls){0};
 }
 
-enum status sweep_falls_print(const struct sweep_falls *f, FILE *file)
+enum status sweep_falls_print(struct sweep_falls *f, struct printer *p, struct message *why)
 {
-    if (!f->table)
-        return STATUS_OK;
-    const enum status st = table_print(f->table, TABLE_TEXT, file);
+    struct dataset *t = f->table;
 
-    if (f->grown)
-        table_say(file, "\nIt grows in %ld of %ld rows with two values to compare.\n",
-                  f->grown, f->rows);
-    else
-        table_say(file, "\nIt grows in none of %ld rows with two values to compare.\n",
-                  f->rows);
-    return st;
+    if (!t)
+        return STATUS_OK;
+    f->table = NULL;
+    dataset_note(t, "It grows in %ld of %ld rows with two values to compare.", f->grown,
+                 f->rows);
+    return printer_table(p, t, "falls", why);
 }

@@ -59,17 +59,17 @@ static const char *word_of(const struct dimension *d, const struct plan_case *c,
 }
 
 /* Adds the place of a case in a direction: words as the plan has them, or a measure. */
-static void add_place(struct table *t, const struct dimension *d, const struct plan_case *c,
-                      const struct sweep_row *row)
+static void add_place(struct dataset *t, const struct dimension *d,
+                      const struct plan_case *c, const struct sweep_row *row)
 {
     if (d->measure >= 0)
-        table_add(t, "%.6g", row->value[d->measure]);
+        dataset_add(t, "%.6g", row->value[d->measure]);
     else
-        table_text(t, "%s", word_of(d, c, ""));
+        dataset_text(t, "%s", word_of(d, c, ""));
 }
 
-static void add_panel(struct table *t, const struct dimension *d, const struct plan_case *c,
-                      const struct sweep_row *row)
+static void add_panel(struct dataset *t, const struct dimension *d,
+                      const struct plan_case *c, const struct sweep_row *row)
 {
     char text[256] = "";
 
@@ -79,7 +79,7 @@ static void add_panel(struct table *t, const struct dimension *d, const struct p
         snprintf(text, sizeof text, "%s = %s", d->name, word_of(d, c, "-"));
     else if (d->name)
         snprintf(text, sizeof text, "%s", word_of(d, c, "-"));
-    table_text(t, "%s", text);
+    dataset_text(t, "%s", text);
 }
 
 /* Returns where a mark lies in a direction. */
@@ -94,7 +94,7 @@ static double mark_place(const struct dimension *d, const struct plan_mark *mark
 }
 
 /* Adds a mark, to the panel of its value, or to all ("*") if it has none. */
-static enum status add_mark(struct table *t, const struct plan *plan,
+static enum status add_mark(struct dataset *t, const struct plan *plan,
                             const struct plan_mark *mark, const struct dimension d[3],
                             struct message *why)
 {
@@ -104,12 +104,12 @@ static enum status add_mark(struct table *t, const struct plan *plan,
     enum status st;
 
     TRY(plan_case_mark(plan, &mark->settings, &scene, why));
-    table_row(t);
-    table_text(t, s ? "%s = %s" : "*", s ? d[2].name : "", s ? s->value : "");
-    table_text(t, "%s", mark->label);
+    dataset_row(t);
+    dataset_text(t, s ? "%s = %s" : "*", s ? d[2].name : "", s ? s->value : "");
+    dataset_text(t, "%s", mark->label);
     for (int k = 0; k < 2; k++)
-        table_add(t, "%.6g", mark_place(&d[k], mark, &scene));
-    table_text(t, "%s", mark->text);
+        dataset_add(t, "%.6g", mark_place(&d[k], mark, &scene));
+    dataset_text(t, "%s", mark->text);
     scene_clear(&scene);
 out:
     return st;
@@ -119,7 +119,7 @@ enum status sweep_map(const struct sweep_rows *rows, const char *folder,
                       struct message *why)
 {
     const struct plan *plan = rows->plan;
-    struct table *t = NULL;
+    struct dataset *t = NULL;
     char title[2][64];
     enum status st = STATUS_OK;
 
@@ -130,26 +130,26 @@ enum status sweep_map(const struct sweep_rows *rows, const char *folder,
                                    find_dimension(plan, plan->map.panel)};
     for (int k = 0; k < 2; k++)
         write_title(&d[k], title[k]);
-    const struct table_column columns[] = {{"panel", NULL, TABLE_LEFT},
-                                           {"label", NULL, TABLE_LEFT},
-                                           {"x", .key = title[0]},
-                                           {"y", .key = title[1]},
-                                           {"mark", NULL, TABLE_LEFT}};
-    t = TABLE_OF(columns, NULL);
+    const struct dataset_column columns[] = {{"panel", NULL, DATASET_LEFT},
+                                             {"label", NULL, DATASET_LEFT},
+                                             {"x", .key = title[0]},
+                                             {"y", .key = title[1]},
+                                             {"mark", NULL, DATASET_LEFT}};
+    t = DATASET_OF(columns, NULL);
     for (long n = 0; n < rows->count; n++) {
         struct plan_case c = {0};
         TRY(plan_case_given(plan, n, &c));
-        table_row(t);
+        dataset_row(t);
         add_panel(t, &d[2], &c, &rows->row[n]);
-        table_text(t, "%s", rows->row[n].label);
+        dataset_text(t, "%s", rows->row[n].label);
         add_place(t, &d[0], &c, &rows->row[n]);
         add_place(t, &d[1], &c, &rows->row[n]);
         plan_case_clear(&c);
     }
     for (int n = 0; n < plan->map.mark_count; n++)
         TRY(add_mark(t, plan, &plan->map.marks[n], d, why));
-    st = table_save(t, folder, "map", why);
+    st = printer_save(t, folder, "map", why);
 out:
-    table_destroy(t);
+    dataset_destroy(t);
     return st;
 }

@@ -173,17 +173,17 @@ static bool is_axis(const struct plan *plan, const char *name)
 
 /* Creates table.csv: labels, every key that is no axis, and every measure; a key that has
  * a measure's name gets one of its own. */
-static struct table *create_table(const struct plan *plan)
+static struct dataset *create_table(const struct plan *plan)
 {
     const struct plan_study *first = plan->studies;
     const int count = first->axis_count + plan->key_count + MEASURES + 5;
-    struct table_column *columns = calloc((size_t)count, sizeof *columns), *c = columns;
+    struct dataset_column *columns = calloc((size_t)count, sizeof *columns), *c = columns;
 
     if (!columns)
         return NULL;
-    *c++ = (struct table_column){"number"};
+    *c++ = (struct dataset_column){"number"};
     if (plan->study_count > 1)
-        *c++ = (struct table_column){"study"};
+        *c++ = (struct dataset_column){"study"};
     for (int n = 0; n < first->axis_count; n++, c++)
         c->header = c->key = first->axis[n].name;
     for (int k = 0; k < plan->key_count; k++)
@@ -196,55 +196,55 @@ static struct table *create_table(const struct plan *plan)
                  : n == MEASURE_YOUNG_OVER_DENSITY ? "young_over_density_measured"
                                                    : measure_name(n);
     }
-    *c++ = (struct table_column){"verdict"};
-    *c++ = (struct table_column){"labels"};
-    *c++ = (struct table_column){"outcome"};
-    struct table *t = table_create((int)(c - columns), columns, NULL);
+    *c++ = (struct dataset_column){"verdict"};
+    *c++ = (struct dataset_column){"labels"};
+    *c++ = (struct dataset_column){"outcome"};
+    struct dataset *t = dataset_create((int)(c - columns), columns, NULL);
     free(columns);
     return t;
 }
 
 /* Adds the label of a case on an axis; empty where its study has no such axis. */
-static void add_label(struct table *t, const struct plan_case *c, const char *axis)
+static void add_label(struct dataset *t, const struct plan_case *c, const char *axis)
 {
     const char *label = plan_label(c->study, c->level, axis);
 
-    table_text(t, "%s", label ? label : "");
+    dataset_text(t, "%s", label ? label : "");
 }
 
-static void add_case(struct table *t, const struct plan *plan, const struct plan_case *c,
+static void add_case(struct dataset *t, const struct plan *plan, const struct plan_case *c,
                      const struct sweep_row *row)
 {
-    table_line(t, "%ld", c->number + 1);
+    dataset_line(t, "%ld", c->number + 1);
     if (plan->study_count > 1)
         add_label(t, c, "study");
     for (int n = 0; n < plan->studies->axis_count; n++)
         add_label(t, c, plan->studies->axis[n].name);
     for (int k = 0; k < plan->key_count; k++)
         if (!is_axis(plan, plan->keys[k]))
-            table_add(t, "%s", c->given[k] ? c->given[k]->value : "");
+            dataset_add(t, "%s", c->given[k] ? c->given[k]->value : "");
     for (int n = 0; n < MEASURES; n++)
-        table_add(t, "%.6g", row->value[n]);
-    table_add(t, "%s|%s|%s", verdict_word(row->verdict.kind), row->label, row->why);
+        dataset_add(t, "%.6g", row->value[n]);
+    dataset_add(t, "%s|%s|%s", verdict_word(row->verdict.kind), row->label, row->why);
 }
 
-static void add_seconds(struct table *t, long number, const struct sweep_row *row)
+static void add_seconds(struct dataset *t, long number, const struct sweep_row *row)
 {
     if (row->state != SWEEP_RAN)
         return;
-    table_line(t, "%ld|%.6g|%.6g|%.6g", number + 1, row->create_seconds, row->step_seconds,
-               row->look_seconds);
+    dataset_line(t, "%ld|%.6g|%.6g|%.6g", number + 1, row->create_seconds,
+                 row->step_seconds, row->look_seconds);
 }
 
 enum status sweep_rows_save(const struct sweep_rows *rows, const char *folder,
                             struct message *why)
 {
-    static const struct table_column columns[] = {{"number"},
-                                                  {"create", "s", .key = "create"},
-                                                  {"steps", "s", .key = "steps"},
-                                                  {"looks", "s", .key = "looks"}};
-    struct table *t = create_table(rows->plan);
-    struct table *seconds = TABLE_OF(columns, NULL);
+    static const struct dataset_column columns[] = {{"number"},
+                                                    {"create", "s", .key = "create"},
+                                                    {"steps", "s", .key = "steps"},
+                                                    {"looks", "s", .key = "looks"}};
+    struct dataset *t = create_table(rows->plan);
+    struct dataset *seconds = DATASET_OF(columns, NULL);
     struct plan_case c;
     enum status st;
 
@@ -254,11 +254,11 @@ enum status sweep_rows_save(const struct sweep_rows *rows, const char *folder,
         add_seconds(seconds, n, &rows->row[n]);
         plan_case_clear(&c);
     }
-    TRY(table_save(t, folder, "table", why));
-    st = table_save(seconds, folder, "seconds", why);
+    TRY(printer_save(t, folder, "table", why));
+    st = printer_save(seconds, folder, "seconds", why);
 out:
-    table_destroy(t);
-    table_destroy(seconds);
+    dataset_destroy(t);
+    dataset_destroy(seconds);
     return st;
 }
 

@@ -19,7 +19,7 @@ enum { TIME = -1, ERROR_BAR = -2 };
         head, "% L", .key = name "_over_length", .scale = 100, .key_unit = "L"             \
     }
 static const struct {
-    struct table_column head;
+    struct dataset_column head;
     int value;
     int digits; /* 0: one decimal                                                       */
 } columns[] = {
@@ -38,7 +38,7 @@ static const struct {
     {LENGTH("its bar", "third_bar"), TRUTH_THIRD_BAR, 2},
     {{"crossings", "pairs", .key = "crossing_pairs"}, TRUTH_CROSSINGS},
     {{"depth", "% L", .key = "crossing_depth_over_length", .scale = 100, .key_unit = "L",
-      .readers = TABLE_MACHINES},
+      .readers = DATASET_MACHINES},
      TRUTH_CROSSING_DEPTH,
      2},
 };
@@ -59,28 +59,28 @@ static bool has_column(const struct truth *made, int value)
     return false;
 }
 
-static void add_row(struct table *t, const struct truth *made, int n, double length)
+static void add_row(struct dataset *t, const struct truth *made, int n, double length)
 {
-    table_row(t);
+    dataset_row(t);
     for (int c = 0; c < COLUMNS; c++) {
         const int value = columns[c].value;
         const double number = value == TIME        ? made->time[n]
                               : value == ERROR_BAR ? made->error[n]
                                                    : made->value[n][value];
         if (value == ERROR_BAR && n >= made->claimed)
-            table_missing(t, "no claim");
+            dataset_missing(t, "no claim");
         else if (value == TRUTH_CROSSINGS)
-            table_add(t, "%.0f", number);
+            dataset_add(t, "%.0f", number);
         else if (!columns[c].digits)
-            table_add(t, "%.1f", number);
+            dataset_add(t, "%.1f", number);
         else
-            table_add(t, "%.*g", columns[c].digits,
-                      columns[c].head.scale > 0 ? number / length : number);
+            dataset_add(t, "%.*g", columns[c].digits,
+                        columns[c].head.scale > 0 ? number / length : number);
     }
 }
 
 /* Says until when it is claimed, and what ends the claim. */
-static void note_horizon(struct table *t, const struct truth *made,
+static void note_horizon(struct dataset *t, const struct truth *made,
                          const struct scene *scene)
 {
     const double length = scene->length;
@@ -105,51 +105,54 @@ static void note_horizon(struct table *t, const struct truth *made,
         snprintf(end, sizeof end, "the error bar there, %.2g %%, is above %g %%",
                  percent * made->error[n], 100 * TRUTH_MOST_ERROR);
     if (n < made->times)
-        table_note(t, "Nothing is claimed from %.3g s on: %s.", made->time[n], end);
+        dataset_note(t, "Nothing is claimed from %.3g s on: %s.", made->time[n], end);
     else
-        table_note(t, "All of it is claimed.");
+        dataset_note(t, "All of it is claimed.");
     if (n && !isnan(made->value[n - 1][TRUTH_CROSSINGS]) &&
         !(n < made->times && v[TRUTH_CROSSINGS] > 0))
-        table_note(t, "The sheet was searched up to %.3g s, and does not pass through %s.",
-                   made->time[n - 1], scene_sheet_other(scene));
-    table_note(t, "Horizon: %s.", made->horizon);
+        dataset_note(t,
+                     "The sheet was searched up to %.3g s, and does not pass through %s.",
+                     made->time[n - 1], scene_sheet_other(scene));
+    dataset_note(t, "Horizon: %s.", made->horizon);
 }
 
-static void add_notes(struct table *t, const struct truth *made, const struct scene *scene)
+static void add_notes(struct dataset *t, const struct truth *made,
+                      const struct scene *scene)
 {
-    table_note(t, "The truth: %s.", made->source);
+    dataset_note(t, "The truth: %s.", made->source);
     if (has_column(made, TRUTH_PACKING))
-        table_note(t, "Packing: how far a point may have moved as positions were rounded "
-                      "to be stored.");
+        dataset_note(t, "Packing: how far a point may have moved as positions were rounded "
+                        "to be stored.");
     if (made->foreign)
         return;
     if (made->closed) {
-        table_note(t, "Horizon: %s.", made->horizon);
+        dataset_note(t, "Horizon: %s.", made->horizon);
         return;
     }
-    table_note(t, "Orders are of the rms over the material grid, over three nets and over "
-                  "three steps, or over three runs of which both shrink; a dash means that "
-                  "the differences do not shrink. A model's bar is the error that its "
-                  "orders predict, times a factor of safety. Growth is the rms change "
-                  "after gravity was changed by 1e-6 in the direction (1,1,1), over 1e-6 "
-                  "of the length.");
+    dataset_note(t,
+                 "Orders are of the rms over the material grid, over three nets and over "
+                 "three steps, or over three runs of which both shrink; a dash means that "
+                 "the differences do not shrink. A model's bar is the error that its "
+                 "orders predict, times a factor of safety. Growth is the rms change "
+                 "after gravity was changed by 1e-6 in the direction (1,1,1), over 1e-6 "
+                 "of the length.");
     note_horizon(t, made, scene);
     if (*made->third)
-        table_note(
+        dataset_note(
             t,
             "The third mechanics is %s. Its distance is that from the truth's middle "
             "surface, and its bar is the error that its own order predicts.",
             made->third);
     if (*made->commit)
-        table_note(t, "Made at commit %s with %s changed files.", made->commit,
-                   made->changed);
+        dataset_note(t, "Made at commit %s with %s changed files.", made->commit,
+                     made->changed);
 }
 
 /* Prints the times at which tables judge, of many frames, and the last claimed one. */
 static enum status print(const struct truth *made, const struct scene *scene,
-                         enum table_format format, FILE *file)
+                         struct printer *p, struct message *why)
 {
-    struct table_column heads[COLUMNS];
+    struct dataset_column heads[COLUMNS];
     char caption[128];
 
     snprintf(caption, sizeof caption, "%s of %s: %serror bars",
@@ -158,15 +161,15 @@ static enum status print(const struct truth *made, const struct scene *scene,
     for (int c = 0; c < COLUMNS; c++) {
         heads[c] = columns[c].head;
         heads[c].readers =
-            has_column(made, columns[c].value) ? columns[c].head.readers : TABLE_NOBODY;
+            has_column(made, columns[c].value) ? columns[c].head.readers : DATASET_NOBODY;
     }
-    struct table *t = table_create(COLUMNS, heads, caption);
+    struct dataset *t = dataset_create(COLUMNS, heads, caption);
     for (int n = 0; n < made->times; n++)
         if (made->closed || n == made->claimed - 1 ||
             truth_plan_judges(scene, made->time[n]))
             add_row(t, made, n, scene->length);
     add_notes(t, made, scene);
-    return table_end(t, format, file);
+    return printer_table(p, t, NULL, why);
 }
 
 /* --- Positions --- */
@@ -207,15 +210,15 @@ enum status truth_print_frames(const struct truth *made, const struct scene *sce
 
 /* --- All scenes --- */
 
-static void add_known(struct table *t, const struct truth *made, double length)
+static void add_known(struct dataset *t, const struct truth *made, double length)
 {
     const int last = made->claimed - 1;
 
-    table_add(t, "%s|%.3g|%.2g", made->closed ? "closed form" : "stored", made->time[last],
-              made->error[last] / length);
+    dataset_add(t, "%s|%.3g|%.2g", made->closed ? "closed form" : "stored",
+                made->time[last], made->error[last] / length);
 }
 
-static enum status add_scene(struct table *t, const char *name, struct message *why)
+static enum status add_scene(struct dataset *t, const char *name, struct message *why)
 {
     struct settings settings = {0};
     struct scene scene = {0};
@@ -229,12 +232,12 @@ static enum status add_scene(struct table *t, const char *name, struct message *
     st = truth_known(&scene, &made, &lack);
     if (st != STATUS_OK && st != STATUS_UNSUPPORTED && st != STATUS_FILE)
         TRY(status_fail(why, st, "%s", lack.text));
-    table_line(t, "%s", name);
+    dataset_line(t, "%s", name);
     if (st == STATUS_OK && made.claimed) {
         add_known(t, &made, scene.length);
     } else {
-        table_add(t, "none");
-        table_note(t, "%s.", lack.text);
+        dataset_add(t, "none");
+        dataset_note(t, "%s.", lack.text);
     }
     st = STATUS_OK;
 out:
@@ -245,15 +248,15 @@ out:
     return st;
 }
 
-enum status truth_print_all(enum table_format format, FILE *file, struct message *why)
+enum status truth_print_all(struct printer *p, struct message *why)
 {
-    static const struct table_column heads[] = {{"scene", NULL, TABLE_LEFT},
-                                                {"truth", NULL, TABLE_LEFT},
-                                                {"known to", "s", .key = "known_to_s"},
-                                                {"error bar there", "% L",
-                                                 .key = "error_bar_over_length",
-                                                 .scale = 100, .key_unit = "L"}};
-    struct table *t = TABLE_OF(heads, "What is known of each scene");
+    static const struct dataset_column heads[] = {{"scene", NULL, DATASET_LEFT},
+                                                  {"truth", NULL, DATASET_LEFT},
+                                                  {"known to", "s", .key = "known_to_s"},
+                                                  {"error bar there", "% L",
+                                                   .key = "error_bar_over_length",
+                                                   .scale = 100, .key_unit = "L"}};
+    struct dataset *t = DATASET_OF(heads, "What is known of each scene");
     struct named_file_entry *scenes = NULL;
     int count = 0;
     enum status st;
@@ -261,10 +264,10 @@ enum status truth_print_all(enum table_format format, FILE *file, struct message
     TRY(named_file_names(&scene_file_kind, &scenes, &count, why));
     for (int n = 0; n < count; n++)
         TRY(add_scene(t, scenes[n].name, why));
-    TRY(table_print(t, format, file));
+    st = printer_table(p, t, NULL, why), t = NULL;
 out:
     named_file_list_free(scenes, count);
-    table_destroy(t);
+    dataset_destroy(t);
     return st;
 }
 
@@ -284,7 +287,7 @@ struct job {
     struct scene scene;
     bool quick;
     struct settings settings;
-    enum table_format format;
+    struct printer *printer;
     double until;
     bool must; /* the error was requested: exit 1 where it can't be had                */
     struct truth_wish wish;
@@ -415,7 +418,7 @@ static enum status make(struct job *j, const struct command_line *line, struct m
         TRY(truth_crossing_judge(&made, j->scene.sheets));
         truth_crossing_tell(&made, &j->scene, &j->end);
     }
-    TRY(print(&made, &j->scene, j->format, stdout));
+    TRY(print(&made, &j->scene, j->printer, why));
     fprintf(stderr, "%s in %s\n", third ? "third mechanics" : "truth", file);
     if (j->must && j->end.answer != TRUTH_MET)
         TRY(status_fail(why, STATUS_FAILED, "%s", j->end.text));
@@ -435,25 +438,24 @@ static enum status print_known(const struct job *j, const int points[2],
 
     if (st == STATUS_OK)
         st = *points ? truth_print_frames(&made, &j->scene, points, stdout)
-                     : print(&made, &j->scene, j->format, stdout);
+                     : print(&made, &j->scene, j->printer, why);
     truth_clear(&made);
     return st == STATUS_FILE ? STATUS_INPUT : st; /* a name that is none */
 }
 
-static enum status run(const struct command_line *line, struct message *why)
+static enum status run(struct command_line *line, struct message *why)
 {
     const bool stored = command_given(line, "--stored");
-    struct job j = {0};
+    struct job j = {.printer = &line->printer};
     int points[2] = {0, 0}, count;
     const char *const *given = command_values(line, "--set", &count);
     enum status st;
 
-    TRY(command_format(line, &j.format, why));
     if (!line->word_count && (!stored || command_given(line, "--points")))
         TRY(status_fail(why, STATUS_INPUT,
                         "truth SCENE; without one --stored alone, what is known of all"));
     if (!line->word_count)
-        return truth_print_all(j.format, stdout, why);
+        return truth_print_all(j.printer, why);
     settings_set_all(&j.settings, count, given);
     TRY(read_wish(&j, line, why));
     TRY(scene_file_find(line->words[0], &j.path, why));
@@ -491,7 +493,7 @@ static const struct command_option options[] = {
     {"--points", "N,M", false,
      "with --stored: print positions as CSV t,u,v,x,y,z on a\n"
      "net of so many points"},
-    {"--format", TABLE_FORMATS, false, "output format (text)"},
+    {"--format", PRINTER_FORMATS, false, "output format (text)"},
     {"--quick", NULL, false, "coarse nets to 0.2 s, for trying out"},
     {NULL, NULL, false, NULL},
 };

@@ -5,7 +5,7 @@
 #define TRUTH_MAKING_H
 
 #include "bench/truth/truth.h"
-#include "bench/ui/table.h"
+#include "bench/data/printer.h"
 
 /* --- Runs --- */
 
@@ -203,6 +203,6 @@ enum status truth_print_frames(const struct truth *made, const struct scene *sce
 
 /* Prints a row for each of the program's scenes, as its truth moves: closed form, stored or
  * none; until when it is known, the error bar there; a note on each that has none. */
-enum status truth_print_all(enum table_format format, FILE *file, struct message *why);
+enum status truth_print_all(struct printer *p, struct message *why);
 
 #endif

@@ -85,6 +85,16 @@ static enum status check_words(const struct command_line *line, struct message *
     return STATUS_OK;
 }
 
+/* Reads the format of tables; other formats are those of a command's own files. */
+static enum status read_format(struct command_line *line, struct message *why)
+{
+    for (const struct command_option *o = line->command->options; o && o->name; o++)
+        if (!strcmp(o->name, "--format") && !strcmp(o->value, PRINTER_FORMATS) &&
+            command_given(line, o->name))
+            return printer_format(command_value(line, o->name), &line->printer.format, why);
+    return STATUS_OK;
+}
+
 enum status command_parse(const struct command *command, int argc, char **argv,
                           struct command_line *line, struct message *why)
 {
@@ -92,7 +102,8 @@ enum status command_parse(const struct command *command, int argc, char **argv,
     const size_t options = (size_t)option_count(command) + 1, room = (size_t)argc + 1;
     bool only_words = false;
 
-    *line = (struct command_line){.command = command, .room = (int)room};
+    *line = (struct command_line){
+        .command = command, .room = (int)room, .printer = {.file = stdout}};
     line->words = calloc(room, sizeof *line->words);
     line->counts = calloc(options, sizeof *line->counts);
     line->values = calloc(options * room, sizeof *line->values);
@@ -107,6 +118,7 @@ enum status command_parse(const struct command *command, int argc, char **argv,
             line->words[line->word_count++] = argv[at];
     }
     TRY(check_words(line, why));
+    TRY(read_format(line, why));
 out:
     if (st != STATUS_OK)
         command_line_clear(line);
@@ -198,14 +210,6 @@ enum status command_pair(const struct command_line *line, const char *option, in
                            option, text, low, high, option);
     pair[0] = value[0], pair[1] = value[1];
     return STATUS_OK;
-}
-
-enum status command_format(const struct command_line *line, enum table_format *format,
-                           struct message *why)
-{
-    const char *word = command_value(line, "--format");
-
-    return word ? table_format_parse(word, format, why) : STATUS_OK;
 }
 
 enum status command_folder(const struct command_line *line, const char **folder,

@@ -11,7 +11,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-#include "bench/ui/table.h"
+#include "bench/data/printer.h"
 
 struct command_option {
     const char *name;  /* "--model"; NULL ends a table                                 */
@@ -40,16 +40,17 @@ struct command {
 
     /* STATUS_INPUT: bad usage. Sentences go to *why, tables and data to standard output,
      * the rest for people to standard error. */
-    enum status (*run)(const struct command_line *line, struct message *why);
+    enum status (*run)(struct command_line *line, struct message *why);
 };
 
 struct command_line {
     const struct command *command; /*                                         borrowed */
     int word_count;
-    const char **words;  /* [word_count]; strings borrowed from argv   owned */
-    int *counts;         /* [options] times given                      owned */
-    int room;            /* for values of an option                          */
-    const char **values; /* [options][room]; NULL strings of switches  owned */
+    const char **words;     /* [word_count]; strings borrowed from argv   owned */
+    int *counts;            /* [options] times given                      owned */
+    int room;               /* for values of an option                          */
+    const char **values;    /* [options][room]; NULL strings of switches  owned */
+    struct printer printer; /* to standard output, in the format of --format */
 };
 
 /* Reads argv[argc], the arguments after the command's name: --name value, --name=value,
@@ -79,11 +80,8 @@ enum status command_number(const struct command_line *line, const char *option,
 enum status command_pair(const struct command_line *line, const char *option, int low,
                          int high, int pair[2], struct message *why);
 
-/* Read --format, which stays if it was not given; --from and --out, the folders that are
- * read and written, of which one may be given: *from is NULL, and *folder stays, if it was
- * not. */
-enum status command_format(const struct command_line *line, enum table_format *format,
-                           struct message *why);
+/* Reads --from and --out, the folders that are read and written, of which one may be given:
+ * *from is NULL, and *folder stays, if it was not. */
 enum status command_folder(const struct command_line *line, const char **folder,
                            const char **from, struct message *why);
 

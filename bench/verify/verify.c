@@ -17,7 +17,7 @@
 #include "bench/harness/pool.h"
 #include "bench/ui/progress.h"
 #include "bench/ui/show.h"
-#include "bench/ui/table.h"
+#include "bench/data/printer.h"
 
 /* Statics first, then motions, then outside programs and stored truths. */
 #define CHECKS(X)                                                                          \
@@ -48,50 +48,50 @@ enum { TIME_LIMIT = 120 };
 #define TEXTS(X) X(0, quantity) X(1, subject) X(11, note) X(14, changed) X(15, name)
 enum { VERDICT = 8, COLUMNS = 16 };
 
-#define WORDS NULL, TABLE_LEFT
-#define ASIDE WORDS, .readers = TABLE_MACHINES
-static const struct table_column columns[COLUMNS] = {{"quantity", WORDS},
-                                                     {"model", WORDS},
-                                                     {"value"},
-                                                     {"truth"},
-                                                     {"error bar"},
-                                                     {"error"},
-                                                     {"tolerance"},
-                                                     {"order"},
-                                                     {"verdict", WORDS},
-                                                     {"time", "s"},
-                                                     {"until", "s"},
-                                                     {"remark", ASIDE},
-                                                     {"check", ASIDE},
-                                                     {"source", ASIDE},
-                                                     {"claimed at first", ASIDE},
-                                                     {"contestant", ASIDE}};
+#define WORDS NULL, DATASET_LEFT
+#define ASIDE WORDS, .readers = DATASET_MACHINES
+static const struct dataset_column columns[COLUMNS] = {{"quantity", WORDS},
+                                                       {"model", WORDS},
+                                                       {"value"},
+                                                       {"truth"},
+                                                       {"error bar"},
+                                                       {"error"},
+                                                       {"tolerance"},
+                                                       {"order"},
+                                                       {"verdict", WORDS},
+                                                       {"time", "s"},
+                                                       {"until", "s"},
+                                                       {"remark", ASIDE},
+                                                       {"check", ASIDE},
+                                                       {"source", ASIDE},
+                                                       {"claimed at first", ASIDE},
+                                                       {"contestant", ASIDE}};
 
-static void add_row(struct table *t, const struct verify_check *check,
+static void add_row(struct dataset *t, const struct verify_check *check,
                     const struct verify_row *row)
 {
-    table_line(t, "%s|%s|%.*g|%.*g|%.1g|%.2g|%.2g|%.2f|%s|%.2g|%.3g|%s|%s|%s|%s|%s",
-               row->quantity, row->subject, DIGITS, row->value, DIGITS, row->truth,
-               row->bar, row->error, row->tolerance, row->order, verdict_word(row->verdict),
-               row->seconds, row->until, row->note, check->item.name, check->source,
-               row->changed, row->name);
+    dataset_line(t, "%s|%s|%.*g|%.*g|%.1g|%.2g|%.2g|%.2f|%s|%.2g|%.3g|%s|%s|%s|%s|%s",
+                 row->quantity, row->subject, DIGITS, row->value, DIGITS, row->truth,
+                 row->bar, row->error, row->tolerance, row->order,
+                 verdict_word(row->verdict), row->seconds, row->until, row->note,
+                 check->item.name, check->source, row->changed, row->name);
 }
 
 /* Creates the table of a sheet for people, without the columns in which it has no number.
  */
-static struct table *create_for_people(const struct verify_sheet *sheet,
-                                       const char *caption)
+static struct dataset *create_for_people(const struct verify_sheet *sheet,
+                                         const char *caption)
 {
-    struct table_column shown[COLUMNS];
+    struct dataset_column shown[COLUMNS];
 
     memcpy(shown, columns, sizeof shown);
 #define HIDE_IF_EMPTY(column, field)                                                       \
-    shown[column].readers = TABLE_MACHINES;                                                \
+    shown[column].readers = DATASET_MACHINES;                                              \
     for (int n = 0; n < sheet->count; n++)                                                 \
         if (!isnan(sheet->rows[n].field))                                                  \
-            shown[column].readers = TABLE_ALL;
+            shown[column].readers = DATASET_ALL;
     NUMBERS(HIDE_IF_EMPTY)
-    return table_create(COLUMNS, shown, caption);
+    return dataset_create(COLUMNS, shown, caption);
 }
 
 enum status verify_file_write(const char *command, const struct verify_check *check,
@@ -101,7 +101,7 @@ enum status verify_file_write(const char *command, const struct verify_check *ch
     enum status st;
     struct output *file = NULL;
     struct provenance provenance;
-    struct table *t = table_create(COLUMNS, columns, NULL);
+    struct dataset *t = dataset_create(COLUMNS, columns, NULL);
     char path[PATH];
 
     snprintf(path, PATH, "%s/%s.csv", folder, check->item.name);
@@ -113,10 +113,10 @@ enum status verify_file_write(const char *command, const struct verify_check *ch
                      provenance.entry[n].value);
     for (int n = 0; n < sheet->count; n++)
         add_row(t, check, &sheet->rows[n]);
-    table_print(t, TABLE_CSV, output_stream(file));
-    st = output_close(&file, why);
+    printer_table(&(struct printer){TABLE_CSV, output_stream(file)}, t, NULL, why);
+    return output_close(&file, why);
 out:
-    table_destroy(t);
+    dataset_destroy(t);
     return st;
 }
 
@@ -134,12 +134,12 @@ static bool take_row(const struct csv_table *t, int n, struct verify_row *row)
 
 static bool is_ours(const struct csv *csv)
 {
-    struct table *t = table_create(COLUMNS, columns, NULL);
+    struct dataset *t = dataset_create(COLUMNS, columns, NULL);
     bool ours = csv->count == 1 && csv->table->columns == COLUMNS;
 
     for (int n = 0; ours && n < COLUMNS; n++)
-        ours = table_find(t, csv->table->cell[n]) == n;
-    table_destroy(t);
+        ours = dataset_find(t, csv->table->cell[n]) == n;
+    dataset_destroy(t);
     return ours;
 }
 
@@ -171,11 +171,10 @@ out:
 /* The command's choices, and the rows of the chosen checks. */
 struct job {
     const struct verify_set *set;
-    FILE *out;
+    struct printer *printer;
     const char *folder, *models;
     long slots;
     bool quick, read_only;
-    enum table_format format;
     struct arena arena; /*                                                          owned */
     int count;
     const struct verify_check *check[MOST_CHECKS];
@@ -240,7 +239,6 @@ static enum status prepare(struct job *job, const struct command_line *line,
     if (from && (job->models || job->quick))
         return status_fail(why, STATUS_INPUT,
                            "--models and --quick are for a new run, not for --from");
-    TRY(command_format(line, &job->format, why));
     if (job->set->apart)
         TRY(command_integer(line, "--jobs", 1, 1024, &job->slots, why));
     TRY(contestant_check(job->models, why));
@@ -388,7 +386,7 @@ static enum status find_rows(struct job *job, struct message *why)
 }
 
 /* Notes the rows' texts at offset `text`, each once for a subject. */
-static void add_notes(struct table *t, const struct verify_sheet *sheet, size_t text,
+static void add_notes(struct dataset *t, const struct verify_sheet *sheet, size_t text,
                       const char *format)
 {
     for (int n = 0, i; n < sheet->count; n++) {
@@ -398,12 +396,12 @@ static void add_notes(struct table *t, const struct verify_sheet *sheet, size_t 
                 !strcmp(sheet->rows[i].subject, sheet->rows[n].subject))
                 break;
         if (*own && i == n)
-            table_note(t, format, sheet->rows[n].subject, own);
+            dataset_note(t, format, sheet->rows[n].subject, own);
     }
 }
 
 /* Adds a row that counts the verdicts of so many sheets, their rows and seconds. */
-static void add_tally(struct table *t, const char *name, const struct verify_sheet *sheet,
+static void add_tally(struct dataset *t, const char *name, const struct verify_sheet *sheet,
                       int sheets)
 {
     long rows[VERDICTS + 1] = {0};
@@ -415,23 +413,23 @@ static void add_tally(struct table *t, const char *name, const struct verify_she
             rows[VERDICTS]++;
             seconds += sheet->rows[n].seconds;
         }
-    table_line(t, "%s", name);
+    dataset_line(t, "%s", name);
     for (enum verdict v = VERDICT_MET; v <= VERDICT_DIED; v++)
-        table_add(t, "%ld", rows[v]);
-    table_add(t, "%ld|%.2g", rows[VERDICTS], seconds);
+        dataset_add(t, "%ld", rows[v]);
+    dataset_add(t, "%ld|%.2g", rows[VERDICTS], seconds);
 }
 
-static enum status print_summary(const struct job *job)
+static enum status print_summary(const struct job *job, struct message *why)
 {
     enum { HEADS = VERDICT_DIED - VERDICT_MET + 4 };
-    struct table_column heads[HEADS] = {{job->set->item, NULL, TABLE_LEFT},
-                                        [HEADS - 2] = {"rows"},
-                                        [HEADS - 1] = {"time", "s"}};
+    struct dataset_column heads[HEADS] = {{job->set->item, NULL, DATASET_LEFT},
+                                          [HEADS - 2] = {"rows"},
+                                          [HEADS - 1] = {"time", "s"}};
     long claims = 0, changed = 0; /* tested claims; those changed after a result */
 
     for (enum verdict v = VERDICT_MET; v <= VERDICT_DIED; v++)
         heads[v - VERDICT_MET + 1].header = verdict_word(v);
-    struct table *t = table_create(HEADS, heads, "How many rows end how");
+    struct dataset *t = dataset_create(HEADS, heads, "How many rows end how");
     for (int s = 0; s < job->count; s++) {
         add_tally(t, job->check[s]->item.name, &job->sheet[s], 1);
         for (int n = 0; n < job->sheet[s].count; n++) {
@@ -440,22 +438,22 @@ static enum status print_summary(const struct job *job)
             changed += verify_row_claims(row) && *row->changed;
         }
     }
-    table_rule(t);
+    dataset_rule(t);
     add_tally(t, "all", job->sheet, job->count);
-    table_note(t, "%s", job->set->note);
+    dataset_note(t, "%s", job->set->note);
     if (!job->set->apart)
-        table_note(t, "Changed after a first result: %ld of %ld claims%s.", changed, claims,
-                   changed ? "; the notes say what was claimed before" : "");
-    return table_end(t, job->format, job->out);
+        dataset_note(t, "Changed after a first result: %ld of %ld claims%s.", changed,
+                     claims, changed ? "; the notes say what was claimed before" : "");
+    return printer_table(job->printer, t, NULL, why);
 }
 
 /* Prints a table for each check, and below them a count of the verdicts; for machines, all
  * rows in one table. */
-static enum status print(const struct job *job)
+static enum status print(const struct job *job, struct message *why)
 {
     enum status st = STATUS_OK;
-    const bool data = table_format_is_data(job->format);
-    struct table *t = data ? table_create(COLUMNS, columns, NULL) : NULL;
+    const bool data = printer_is_data(job->printer);
+    struct dataset *t = data ? dataset_create(COLUMNS, columns, NULL) : NULL;
     char caption[512];
 
     for (int s = 0; s < job->count; s++) {
@@ -467,18 +465,18 @@ static enum status print(const struct job *job)
         for (int n = 0; n < job->sheet[s].count; n++) {
             if (n && strcmp(row[n].quantity, row[n - 1].quantity) &&
                 !strcmp(row[n].subject, row[0].subject))
-                table_rule(t);
+                dataset_rule(t);
             add_row(t, check, &row[n]);
         }
         if (data)
             continue;
-        table_note(t, "Truth: %s", check->source);
+        dataset_note(t, "Truth: %s", check->source);
         add_notes(t, &job->sheet[s], offsetof(struct verify_row, note), "%s: %s.");
         add_notes(t, &job->sheet[s], offsetof(struct verify_row, changed),
                   "%s, claimed before a first result: %s.");
-        TRY(table_finish(t, job->format, job->out));
+        TRY(printer_table(job->printer, t, NULL, why));
     }
-    st = data ? table_finish(t, job->format, job->out) : print_summary(job);
+    st = data ? printer_table(job->printer, t, NULL, why) : print_summary(job, why);
 out:
     return st;
 }
@@ -501,18 +499,19 @@ static enum status tell_failures(const struct job *job, struct message *why)
                 : STATUS_OK;
 }
 
-enum status verify_run(const struct verify_set *set, const struct command_line *line,
-                       FILE *out, struct message *why)
+enum status verify_run(const struct verify_set *set, struct command_line *line,
+                       struct message *why)
 {
     enum status st;
     struct arena arena = {0};
     struct job *job = arena_take(&arena, 1, sizeof *job);
 
-    *job = (struct job){.set = set, .out = out, .slots = omp_get_num_procs()};
+    *job =
+        (struct job){.set = set, .printer = &line->printer, .slots = omp_get_num_procs()};
     TRY(prepare(job, line, why));
     omp_set_num_threads(1);
     TRY(find_rows(job, why));
-    TRY(print(job));
+    TRY(print(job, why));
     show_tell(job->folder);
     st = set->apart ? STATUS_OK : tell_failures(job, why);
 out:
@@ -533,16 +532,16 @@ static const struct verify_set checks_set = {
             "measured all the same. The command fails if a claim is missed, or dies.",
 };
 
-static enum status run(const struct command_line *line, struct message *why)
+static enum status run(struct command_line *line, struct message *why)
 {
-    return verify_run(&checks_set, line, stdout, why);
+    return verify_run(&checks_set, line, why);
 }
 
 const struct command_option verify_options[] = {
     {"--jobs", "N", false, "runs at a time (the number of processors)"},
     {"--models", "A,B,...", false, "models or contestants (all that take part)"},
     {"--quick", NULL, false, "leave out what is expensive, and models without a claim"},
-    {"--format", TABLE_FORMATS, false, "output format (text)"},
+    {"--format", PRINTER_FORMATS, false, "output format (text)"},
     {"--out", "DIR", false, "folder of the rows (results/ and the command's name)"},
     {"--from", "DIR", false, "print again from the files of an earlier run"},
     {NULL, NULL, false, NULL},

@@ -18,10 +18,10 @@ struct verify_set {
 /* The options of such a command, of which the first is for one whose rows are apart. */
 extern const struct command_option verify_options[];
 
-/* Runs the command and prints tables to `out`. STATUS_FAILED: claims are missed or died;
+/* Runs the command and prints its tables. STATUS_FAILED: claims are missed or died;
  * the sentence says how many, and where. */
-enum status verify_run(const struct verify_set *set, const struct command_line *line,
-                       FILE *out, struct message *why);
+enum status verify_run(const struct verify_set *set, struct command_line *line,
+                       struct message *why);
 
 /* Writes the rows of a check to FOLDER/CHECK.csv, with the command and provenance in
  * comments above. */

@@ -9,7 +9,7 @@
 #include "bench/harness/child.h"
 #include "bench/harness/derived_key.h"
 #include "bench/truth/truth.h"
-#include "bench/ui/table.h"
+#include "bench/data/printer.h"
 #include "bench/verify/verify.h"
 #include "fem_ref/elastica.h"
 #include "fem_ref/kirchhoff.h"
@@ -934,9 +934,9 @@ static const struct verify_set set = {
             "which the run died, or at which its error was first beyond.",
 };
 
-static enum status run(const struct command_line *line, struct message *why)
+static enum status run(struct command_line *line, struct message *why)
 {
-    return verify_run(&set, line, stdout, why);
+    return verify_run(&set, line, why);
 }
 
 const struct command stress_command = {

@@ -62,7 +62,8 @@ static char *printed(const struct advise_search *s, enum table_format format)
     FILE *file = tmpfile();
 
     REQUIRE(file);
-    CHECK(advise_print(s, format, file, NULL) == STATUS_OK);
+    struct printer p = {format, file, s->job->folder};
+    CHECK(advise_print(s, &p, NULL) == STATUS_OK && printer_close(&p) == STATUS_OK);
     rewind(file);
     text[fread(text, 1, TEXT - 1, file)] = '\0';
     fclose(file);

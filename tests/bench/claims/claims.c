@@ -118,7 +118,7 @@ static bool is_meant(const struct study *s, int level, int time, const struct wh
             at = s->time ? s->time[time] : last;
             continue;
         }
-        const char *label = is_time ? w->label : dataset_label(s, level, w->axis);
+        const char *label = is_time ? w->label : results_label(s, level, w->axis);
         if (!label || !is_among(label, w->label))
             return false;
         at = is_time ? strtod(label, NULL) : at;
@@ -298,9 +298,9 @@ static void has_the_papers_rows(void)
         CHECK(s->plan->level_count == levels[k]);
         for (int n = 0; n < s->plan->level_count; n++) {
             const struct scene *scene = &s->row[n].result.scene;
-            const int row = atoi(dataset_label(s, n, "row")) - 1;
+            const int row = atoi(results_label(s, n, "row")) - 1;
             const struct paper_table4_row *p = &paper_table4[row];
-            CHECK(!strcmp(scene->name, dataset_label(s, n, "scene")));
+            CHECK(!strcmp(scene->name, results_label(s, n, "scene")));
             CHECK(scene->young == scale * p->young && scene->density == scale * p->density);
             if (scene->damping.kind == DAMPING_VELOCITY_SCALE)
                 CHECK(scene->damping.value == p->damping);
@@ -323,7 +323,7 @@ static void judges_quick_runs(void)
     study_make(&made, "solvers");
     made.r.quick = true;
     REQUIRE(claim_tell(&made.r, study_folder,
-                       &(struct printer){TABLE_TEXT, study_print_to(&p), NULL},
+                       &(struct printer){TABLE_TEXT, study_print_to(&p)}, NULL,
                        NULL) == STATUS_OK);
     char *text = study_squeeze(study_printed_text(&p));
     study_wants(text, "frame below 1.25: not judged: quick");
@@ -353,7 +353,8 @@ static void tells_all_statements(void)
     add_statements(s, "table3");
     add_statements(s, "plasticity");
     add_statements(s, "timestep");
-    CHECK(statements_print(s, TABLE_TEXT, study_print_to(&p)) == STATUS_OK);
+    CHECK(statements_print(s, &(struct printer){TABLE_TEXT, study_print_to(&p)}, NULL) ==
+          STATUS_OK);
     char *text = study_squeeze(study_printed_text(&p));
     const char *first = strstr(text, "- 3.2: "), *second = strstr(text, "- 4.1: "),
                *third = strstr(text, "- 4.3, Table 3: ");
@@ -369,7 +370,8 @@ static void tells_all_statements(void)
     CHECK(of[0] != of[1]); /* so that exchanged numbers are seen */
     study_wants(text, count);
     free(text);
-    CHECK(statements_print(s, TABLE_CSV, study_print_to(&p)) == STATUS_OK);
+    CHECK(statements_print(s, &(struct printer){TABLE_CSV, study_print_to(&p)}, NULL) ==
+          STATUS_OK);
     text = study_printed_text(&p);
     study_wants(text, "source,claim,reading,verdict,sentence,turns,ours");
     study_wants(text, "\n4.1,");

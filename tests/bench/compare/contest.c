@@ -177,7 +177,8 @@ static char *print(const struct contest *c, const char *folder)
     struct message why = {""};
 
     REQUIRE(file);
-    if (!CHECK(compare_print(c, folder, TABLE_TEXT, file, &why) == STATUS_OK))
+    if (!CHECK(compare_print(c, &(struct printer){TABLE_TEXT, file, folder}, &why) ==
+               STATUS_OK))
         printf("  %s\n", why.text);
     fclose(file);
     return text;
@@ -210,7 +211,8 @@ static void tables(const char *folder)
         csv_clear(&csv);
     }
     free(text);
-    CHECK(compare_print(&c, "no/such/folder", TABLE_TEXT, stdout, &why) == STATUS_FILE);
+    CHECK(compare_print(&c, &(struct printer){TABLE_TEXT, stdout, "no/such/folder"},
+                        &why) == STATUS_FILE);
     unmake(&c);
 }
 

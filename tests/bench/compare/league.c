@@ -81,7 +81,9 @@ static char *print(const char *folder, enum table_format format)
     struct message why = {""};
 
     REQUIRE(file);
-    CHECK(league_print(SCENES_OF, contests, folder, format, file, &why) == STATUS_OK);
+    struct printer p = {format, file, folder};
+    CHECK(league_print(SCENES_OF, contests, &p, &why) == STATUS_OK);
+    CHECK(printer_close(&p) == STATUS_OK);
     fclose(file);
     return text;
 }

@@ -9,7 +9,7 @@
 
 #include "bench/experiment/judge.h"
 #include "bench/experiment/kept.h"
-#include "bench/ui/table.h"
+#include "bench/data/printer.h"
 #include "tests/scratch.h"
 
 static const char path[] = "table.csv";
@@ -47,20 +47,21 @@ static void check_tables(void)
 /* A table and a sentence, neither of them printed, as the report finds them. */
 static void check_kept(void)
 {
-    static const struct table_column columns[] = {{"what", NULL, TABLE_LEFT}, {"x", "m"}};
-    struct printer p = {TABLE_TEXT, NULL, NULL};
+    static const struct dataset_column columns[] = {{"what", NULL, DATASET_LEFT},
+                                                    {"x", "m"}};
+    struct printer p = {TABLE_TEXT};
     struct kept *kept = NULL;
     struct csv csv = {0};
-    struct table *t = table_create(2, columns, "A, \"B\"");
+    struct dataset *t = dataset_create(2, columns, "A, \"B\"");
 
-    kept_open(".", "table", "1", &kept);
+    kept_open(".", "table", "1", &p, &kept);
     REQUIRE(kept);
-    p.kept = kept;
-    table_line(t, "a \"b\",\nc|%.3g", 0.1);
-    table_note(t, "one\ntwo");
-    CHECK(kept_table(&p, t) == STATUS_OK);
-    kept_told(&p, &(struct judge_told){"4.1", "up, always", VERDICT_HOLDS, "at 1 s",
-                                       "By 2.", "It turns.", "Ours: 3."});
+    dataset_line(t, "a \"b\",\nc|%.3g", 0.1);
+    dataset_note(t, "one\ntwo");
+    CHECK(printer_table(&p, t, NULL, NULL) == STATUS_OK);
+    kept_told(&p, kept,
+              &(struct judge_told){"4.1", "up, always", VERDICT_HOLDS, "at 1 s", "By 2.",
+                                   "It turns.", "Ours: 3."});
     CHECK(kept_close(&kept, NULL) == STATUS_OK && !kept);
     REQUIRE(csv_read(KEPT_NAME, &csv, NULL) == STATUS_OK && csv.count == 2);
     CHECK(strstr(csv.table[0].caption, "clothbench table 1 | commit "));
@@ -77,7 +78,7 @@ static void check_kept(void)
     CHECK(!strcmp(csv_words_of(&csv.table[1], 0, "turns"), "It turns."));
     CHECK(!strcmp(csv_words_of(&csv.table[1], 0, "ours"), "Ours: 3."));
     csv_clear(&csv);
-    kept_open("/proc/nowhere", "table", "1", &kept);
+    kept_open("/proc/nowhere", "table", "1", &p, &kept);
     CHECK(!kept && kept_close(&kept, NULL) == STATUS_OK);
 }
 

@@ -185,13 +185,13 @@ static void printed(void)
     const struct score_diagnosis some = {.left = .4};
 
     char text[4096] = "";
-    struct score_print sheet = {.format = TABLE_CSV,
-                                .file = fmemopen(text, sizeof text, "w")};
+    struct printer printer = {TABLE_CSV, fmemopen(text, sizeof text, "w")};
+    struct score_print sheet = {.printer = &printer};
 
     score_print_add(&sheet, &s, &some);
-    CHECK(score_print_end(&sheet) == STATUS_OK);
+    CHECK(score_print_end(&sheet, NULL) == STATUS_OK);
     score_print_clear(&sheet);
-    fclose(sheet.file);
+    fclose(printer.file);
     if (!CHECK(strstr(text, rows) &&
                strstr(text, "at the 3 where both exist, at 1 of them")))
         puts(text);

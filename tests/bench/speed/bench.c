@@ -29,7 +29,8 @@ static struct run_result result(int n)
 static void print_part(const struct bench_part *part, enum table_format format,
                        struct said *s)
 {
-    struct bench b = {.folder = "nowhere", .path = DROP, .format = format};
+    struct printer printer = {format, s->file};
+    struct bench b = {.folder = "nowhere", .path = DROP, .printer = &printer};
     struct message why = {""};
 
     REQUIRE(batch_init(&b.batch, b.folder, BENCH_PART_RUNS) == STATUS_OK);
@@ -45,7 +46,6 @@ static void print_part(const struct bench_part *part, enum table_format format,
         b.result[1].outcome = STATUS_UNSUPPORTED;
         b.result[1].sentence = (struct message){"will not"};
     }
-    b.file = s->file;
     if (!CHECK(part->print(&b, &why) == STATUS_OK))
         printf("%s\n", why.text);
     free(b.result);

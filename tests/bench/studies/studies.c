@@ -50,12 +50,14 @@ static enum status call(const char *text, struct message *why)
     for (char *word; (word = strtok_r(NULL, " ", &rest));)
         argv[argc++] = word;
     *why = (struct message){""};
-    REQUIRE(command_parse(command, argc, argv, &line, why) == STATUS_OK);
+    enum status st = command_parse(command, argc, argv, &line, why);
+    if (st != STATUS_OK)
+        return st;
     fflush(stdout);
     const int was = dup(STDOUT_FILENO);
     REQUIRE(was >= 0 && freopen("out", "w", stdout));
-    const enum status st = command->run(&line, why);
-    table_json_close();
+    st = command->run(&line, why);
+    CHECK(printer_close(&line.printer) == STATUS_OK);
     fflush(stdout);
     REQUIRE(dup2(was, STDOUT_FILENO) >= 0);
     close(was);

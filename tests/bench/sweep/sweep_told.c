@@ -329,7 +329,7 @@ static void check_falls(bool bar)
         rows.row[n].value[MEASURE_TRUTH_BAR_END] = 0.25;
     }
     REQUIRE(sweep_falls_judge(&f, &rows) == STATUS_OK);
-    REQUIRE(table_save(f.table, ".", "falls", NULL) == STATUS_OK);
+    REQUIRE(sweep_falls_print(&f, &(struct printer){.folder = "."}, NULL) == STATUS_OK);
     char *csv = fresh_text(".", "falls.csv");
     holds("falls", csv, "damping.value,at_1,at_2,at_3,at_4,by,grows_at\n");
     for (int n = 0; n < ROWS; n++) {
@@ -363,9 +363,9 @@ static void check_names(void)
         REQUIRE(sweep_falls_judge(&f, &rows) == STATUS_OK);
         CHECK(f.grown == 0 && (f.table != NULL) == (n == 0));
         if (f.table)
-            CHECK(table_find(f.table, "damping.value") == 0 &&
-                  table_find(f.table, "listed") == 1 &&
-                  table_find(f.table, "material.poisson") < 0);
+            CHECK(dataset_find(f.table, "damping.value") == 0 &&
+                  dataset_find(f.table, "listed") == 1 &&
+                  dataset_find(f.table, "material.poisson") < 0);
         sweep_falls_clear(&f);
         end(&rows, &plan);
     }

@@ -154,7 +154,7 @@ static void each_scene_is_known(void)
     int count = 0;
     FILE *file = open_memstream(&text, &size);
 
-    REQUIRE(file && truth_print_all(TABLE_CSV, file, NULL) == STATUS_OK);
+    REQUIRE(file && truth_print_all(&(struct printer){TABLE_CSV, file}, NULL) == STATUS_OK);
     REQUIRE(fclose(file) == 0);
     REQUIRE(named_file_names(&scene_file_kind, &scenes, &count, NULL) == STATUS_OK);
     CHECK(count > 20);

@@ -75,7 +75,9 @@ static struct outcome command(const char *const *words)
     REQUIRE(command_parse(&verify_command, argc, argv, &line, &o.why) == STATUS_OK);
     FILE *out = open_memstream(&text, &size);
     REQUIRE(out);
-    o.status = verify_run(&made_up, &line, out, &o.why);
+    line.printer.file = out;
+    o.status = verify_run(&made_up, &line, &o.why);
+    printer_close(&line.printer);
     fclose(out);
     command_line_clear(&line);
     o.text = text;

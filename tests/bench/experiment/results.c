@@ -1,6 +1,6 @@
 /* A plan without a table is printed from made-up numbers: each in its cell, with truth,
  * without, at rest; levels that died or were refused; notes below. */
-#include "bench/experiment/dataset.h"
+#include "bench/experiment/results.h"
 
 #include <unistd.h>
 
@@ -86,8 +86,9 @@ static char *print(const struct plan *plan, struct study *s, enum table_format f
     FILE *file = open_memstream(&text, &size);
 
     REQUIRE(file);
-    CHECK(dataset_print(&d, folder, &(struct printer){format, file, NULL}, NULL) ==
-          STATUS_OK);
+    struct printer p = {format, file};
+    CHECK(results_print(&d, folder, &p, NULL) == STATUS_OK);
+    CHECK(printer_close(&p) == STATUS_OK);
     REQUIRE(fclose(file) == 0);
     return text;
 }
@@ -185,7 +186,7 @@ static void writes(const struct study_results *d, const char *at, const char *wa
     FILE *file = open_memstream(&text, &size);
 
     REQUIRE(file);
-    dataset_write(d, QUANTITY_DROP, WHERE({"at", at}), file);
+    results_write(d, QUANTITY_DROP, WHERE({"at", at}), file);
     fclose(file);
     CHECK(!strcmp(text, want));
     free(text);

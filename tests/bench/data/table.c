@@ -1,6 +1,6 @@
 /* Tables of results: formats for machines against text written out here, those for people
  * by their cells and what they escape. */
-#include "bench/ui/table.h"
+#include "bench/data/printer.h"
 
 #include <math.h>
 
@@ -9,34 +9,35 @@
 #include "tests/scratch.h"
 
 /* One set of columns for people and for machines. */
-static const struct table_column columns[] = {
-    {"case_1", NULL, TABLE_LEFT},
+static const struct dataset_column columns[] = {
+    {"case_1", NULL, DATASET_LEFT},
     {"a frame", "ms", .key = "frame_s", .key_unit = "s", .scale = 1e3},
-    {"net", NULL, TABLE_LEFT, .readers = TABLE_PEOPLE},
+    {"net", NULL, DATASET_LEFT, .readers = DATASET_PEOPLE},
     {"to next", "% L", .scale = 100, .key = "to_next_over_length", .key_unit = "1"},
-    {"p", .readers = TABLE_MACHINES},
+    {"p", .readers = DATASET_MACHINES},
     {"unknowns"}};
 
 /* Makes a table whose headers, cells and captions have characters that formats use. */
-static struct table *make(void)
+static struct dataset *make(void)
 {
-    struct table *t = table_create(6, columns, "50 % & #1");
-    table_line(t, "%s|%.3g|10x10|%.1f|%d|%.0f", "a|b, \"c\"\\\n\x01", 0.0125, 0.125, 2,
-               540.0);
-    table_rule(t);
-    table_line(t, "# no comment|%.3g|-", NAN);
-    table_missing(t, "not reached");
-    table_add(t, "%.2g|%.0f", -INFINITY, -NAN);
-    table_line(t, "*_$#{}<>~^&|%.3g", 1.5e-12);
-    table_text(t, "50%%");
-    table_add(t, "%.2f", 0.01 / 3);
-    table_row(t);
-    table_note(t, "A \"note\" of %d.", 9);
+    struct dataset *t = dataset_create(6, columns, "50 % & #1");
+    dataset_line(t, "%s|%.3g|10x10|%.1f|%d|%.0f", "a|b, \"c\"\\\n\x01", 0.0125, 0.125, 2,
+                 540.0);
+    dataset_rule(t);
+    dataset_line(t, "# no comment|%.3g|-", NAN);
+    dataset_missing(t, "not reached");
+    dataset_add(t, "%.2g|%.0f", -INFINITY, -NAN);
+    dataset_line(t, "*_$#{}<>~^&|%.3g", 1.5e-12);
+    dataset_text(t, "50%%");
+    dataset_add(t, "%.2f", 0.01 / 3);
+    dataset_row(t);
+    dataset_note(t, "A \"note\" of %d.", 9);
     return t;
 }
 
 /* Prints it, and looks for parts, until NULL, or for all of it if there is but one. */
-static void print(const struct table *t, enum table_format format, const char *const *want)
+static void print(const struct dataset *t, enum table_format format,
+                  const char *const *want)
 {
     struct said s;
 
@@ -53,7 +54,7 @@ static void print(const struct table *t, enum table_format format, const char *c
 
 static void check_formats(void)
 {
-    struct table *t = make();
+    struct dataset *t = make();
 
     PRINT(t, TABLE_TEXT, "case_1         a frame  net        to next  unknowns\n",
           "?       12.5  10x10         12.5       540\n",
@@ -83,30 +84,31 @@ static void check_formats(void)
           "knowns\": null}, {\"case_1\": null, \"frame_s\": null, \"to_next_over_le"
           "ngth\": null, \"p\": null, \"unknowns\": null}], \"notes\": [\"A \\\"not"
           "e\\\" of 9.\"]}\n");
-    CHECK(table_rows(t) == 4 && table_find(t, "p") == 4);
-    CHECK(table_find(t, "case_1") == 0 && table_find(t, "unknowns") == 5);
-    CHECK(table_find(t, "a frame") == -1);
-    table_destroy(t);
+    CHECK(dataset_count(t) == 4 && dataset_find(t, "p") == 4);
+    CHECK(dataset_find(t, "case_1") == 0 && dataset_find(t, "unknowns") == 5);
+    CHECK(dataset_find(t, "a frame") == -1);
+    dataset_destroy(t);
     for (int f = TABLE_TEXT; f <= TABLE_JSON; f++) {
-        CHECK(table_format_is_prose(f) == (f == TABLE_TEXT || f == TABLE_MARKDOWN));
-        CHECK(table_format_is_data(f) == (f == TABLE_CSV || f == TABLE_JSON));
+        const struct printer p = {f};
+        CHECK(printer_is_prose(&p) == (f == TABLE_TEXT || f == TABLE_MARKDOWN));
+        CHECK(printer_is_data(&p) == (f == TABLE_CSV || f == TABLE_JSON));
     }
 }
 
 /* Keys made of header and unit; none twice. */
 static void check_keys(void)
 {
-    static const struct table_column some[] = {
+    static const struct dataset_column some[] = {
         {"a frame", "ms"}, {"to next", "L"},  {"lowest", "% L"},      {"fall", "m/s^2"},
         {"10 %", "s"},     {"stretch", NULL}, {"stretch", NULL},      {"stretch", "1"},
         {"", NULL},        {"E dt", "Pa m"},  {"nu (1+mu)/2", "Pa/s"}};
-    struct table *t = table_create(11, some, NULL);
+    struct dataset *t = dataset_create(11, some, NULL);
 
     PRINT(t, TABLE_CSV,
           "a_frame_ms,to_next_over_length,lowest_over_length_percent,fall_m_per_s2,"
           "10_percent_s,stretch,stretch_2,stretch_3,column,e_dt_pa_m,nu_1_mu_per_2_pa_per_"
           "s\n");
-    table_destroy(t);
+    dataset_destroy(t);
 }
 
 static void check_file(const char *want)
@@ -126,50 +128,51 @@ static void check_files(void)
         "?\",0.012500000000000001,0.125,2,540\n\"# no comment\",,,-inf,\n"
         "*_$#{}<>~^&,1.5000000000000001e-12,0.0033333333333333335,,\n,,,,\n";
     struct message why;
-    struct table *t = make();
+    struct dataset *t = make();
 
-    CHECK(table_save(t, ".", "table", &why) == STATUS_OK);
+    CHECK(printer_save(t, ".", "table", &why) == STATUS_OK);
     check_file(want);
-    CHECK(table_save(t, "/proc/nowhere", "table", &why) == STATUS_FILE);
+    CHECK(printer_save(t, "/proc/nowhere", "table", &why) == STATUS_FILE);
     REQUIRE(symlink("/dev/full", "full.csv") == 0);
-    CHECK(table_save(t, ".", "full", &why) == STATUS_FILE);
-    CHECK(table_finish(t, TABLE_LATEX, stdout) == STATUS_OK);
+    CHECK(printer_save(t, ".", "full", &why) == STATUS_FILE);
+    CHECK(printer_table(&(struct printer){TABLE_LATEX, stdout}, t, NULL, NULL) ==
+          STATUS_OK);
 }
 
 static void check_failures_told(void)
 {
     struct message why;
     enum table_format format;
-    struct table *t = make();
+    struct dataset *t = make();
     FILE *full = fopen("/dev/full", "w");
 
-    CHECK(table_format_parse("latex", &format, &why) == STATUS_OK && format == TABLE_LATEX);
-    CHECK(table_format_parse("html", &format, &why) == STATUS_INPUT);
+    CHECK(printer_format("latex", &format, &why) == STATUS_OK && format == TABLE_LATEX);
+    CHECK(printer_format("html", &format, &why) == STATUS_INPUT);
     if (full) {
         setvbuf(full, NULL, _IONBF, 0);
         CHECK(table_print(t, TABLE_CSV, full) == STATUS_FILE);
         CHECK(table_print(t, TABLE_JSON, full) == STATUS_FILE);
         fclose(full);
     }
-    table_destroy(t);
+    dataset_destroy(t);
 }
 
 /* A table wider than a line is in parts, each with the columns that tell rows apart. */
 static void check_wide(void)
 {
-    struct table_column wide[20] = {{"name", NULL, TABLE_LEFT}, {"net"}};
+    struct dataset_column wide[20] = {{"name", NULL, DATASET_LEFT}, {"net"}};
     char names[18][24];
     struct said s;
 
     for (int n = 2; n < 20; n++) {
         snprintf(names[n - 2], sizeof names[0], "number %d", n);
-        wide[n] = (struct table_column){names[n - 2], n % 2 ? "m" : NULL};
+        wide[n] = (struct dataset_column){names[n - 2], n % 2 ? "m" : NULL};
     }
-    struct table *t = table_create(20, wide, NULL);
+    struct dataset *t = dataset_create(20, wide, NULL);
     for (int row = 0; row < 2; row++) {
-        table_line(t, "same");
+        dataset_line(t, "same");
         for (int n = 1; n < 20; n++)
-            table_add(t, "%d", 12345 + row);
+            dataset_add(t, "%d", 12345 + row);
     }
     said_open(&s);
     REQUIRE(table_print(t, TABLE_TEXT, s.file) == STATUS_OK);
@@ -178,7 +181,7 @@ static void check_wide(void)
     for (const char *line = s.text; *line; line += strcspn(line, "\n") + 1)
         CHECK(strcspn(line, "\n") <= 120);
     said_clear(&s);
-    table_destroy(t);
+    dataset_destroy(t);
 }
 
 /* Cells that a spreadsheet would run become text; numbers and lone signs stay. */
@@ -186,13 +189,13 @@ static void check_formulas(void)
 {
     static const char *const text[] = {"=cmd|x", "@x", "+x", "-x", "\tx",
                                        "-",      "-1", "+1", "a=b"};
-    static const struct table_column one[] = {{"name"}};
-    struct table *t = table_create(1, one, NULL);
+    static const struct dataset_column one[] = {{"name"}};
+    struct dataset *t = dataset_create(1, one, NULL);
 
     for (size_t n = 0; n < sizeof text / sizeof *text; n++)
-        table_line(t, "%s", text[n]);
+        dataset_line(t, "%s", text[n]);
     PRINT(t, TABLE_CSV, "name\n'=cmd|x\n'@x\n'+x\n'-x\n'\tx\n-\n-1\n+1\na=b\n");
-    table_destroy(t);
+    dataset_destroy(t);
 }
 
 /* Ninety-six characters are a line, one more are not. */
@@ -211,7 +214,7 @@ static void check_sentences(void)
     for (int n = 0; n < 4; n++) {
         struct said s;
         said_open(&s);
-        table_say(s.file, "%.*s%s", row[n].letters, x, row[n].text);
+        wrap_say(s.file, "%.*s%s", row[n].letters, x, row[n].text);
         said_close(&s, true);
         CHECK(!strcmp(s.text + row[n].letters, row[n].want));
         said_clear(&s);
@@ -221,18 +224,18 @@ static void check_sentences(void)
 /* The last words of a line are wrapped: no line is longer than 120 columns. */
 static void check_wrapped(void)
 {
-    static const struct table_column two[] = {{"a"}, {"words", NULL, TABLE_LEFT}};
+    static const struct dataset_column two[] = {{"a"}, {"words", NULL, DATASET_LEFT}};
     char words[400] = "", text[2000] = "";
-    struct table *t = table_create(2, two, NULL);
+    struct dataset *t = dataset_create(2, two, NULL);
     FILE *file = fmemopen(text, sizeof text, "w");
 
     while (strlen(words) < 300)
         strcat(words, "some words ");
-    table_line(t, "1|%s", words);
+    dataset_line(t, "1|%s", words);
     REQUIRE(file && table_print(t, TABLE_TEXT, file) == STATUS_OK && fclose(file) == 0);
     for (const char *line = text; *line; line += strcspn(line, "\n") + 1)
         CHECK(strcspn(line, "\n") <= 120);
-    table_destroy(t);
+    dataset_destroy(t);
 }
 
 int main(void)

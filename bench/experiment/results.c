@@ -1,4 +1,4 @@
-#include "bench/experiment/dataset.h"
+#include "bench/experiment/results.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -6,7 +6,7 @@
 
 #include "bench/harness/fit.h"
 
-const char *dataset_label(const struct study *s, int level, const char *axis)
+const char *results_label(const struct study *s, int level, const char *axis)
 {
     return plan_label(s->plan, s->row[level].level, axis);
 }
@@ -22,7 +22,7 @@ static bool is_at(const struct place *p, const char *label)
 /* Returns whether a row has this label. */
 static bool has_label(const struct place *p, const struct where *where)
 {
-    const char *label = dataset_label(p->s, p->level, where->axis);
+    const char *label = results_label(p->s, p->level, where->axis);
     const bool other = where->label[0] == '!';
     const char *text = where->label + other;
     const size_t size = strlen(text) - (*text && text[strlen(text) - 1] == '*');
@@ -51,7 +51,7 @@ static bool is_named(const struct place *p, const struct where *where)
     for (const struct where *w = p->d->reading; w && w->axis; w++) {
         const bool time = !strcmp(w->axis, "at");
         if (names_axis(where, w->axis) ||
-            (!time && !dataset_label(p->s, p->level, w->axis)))
+            (!time && !results_label(p->s, p->level, w->axis)))
             continue;
         timed |= time;
         if (!has_label(p, w))
@@ -88,14 +88,14 @@ static bool find(const struct study_results *d, const struct where *where, struc
     return !next_row(where, &after);
 }
 
-int dataset_labels(const struct study_results *d, const char *axis, int most,
+int results_labels(const struct study_results *d, const char *axis, int most,
                    const char **label)
 {
     struct place p = begin(d);
     int count = 0;
 
     while (next_row(WHERE({NULL, NULL}), &p)) {
-        const char *word = dataset_label(p.s, p.level, axis);
+        const char *word = results_label(p.s, p.level, axis);
         int n = 0;
         while (word && n < count && strcmp(label[n], word))
             n++;
@@ -105,14 +105,14 @@ int dataset_labels(const struct study_results *d, const char *axis, int most,
     return count;
 }
 
-double dataset_at(const struct study_results *d, enum quantity q, const struct where *where)
+double results_at(const struct study_results *d, enum quantity q, const struct where *where)
 {
     struct place p;
 
     return find(d, where, &p) ? quantity_at(&p, q) : NAN;
 }
 
-enum verdict dataset_verdict(const struct study_results *d, const char *label,
+enum verdict results_verdict(const struct study_results *d, const char *label,
                              const struct where *where)
 {
     const struct rules *rules = &d->plan->verdicts;
@@ -141,25 +141,25 @@ static double fold(const struct study_results *d, enum quantity q,
     return all;
 }
 
-double dataset_most(const struct study_results *d, enum quantity q,
+double results_most(const struct study_results *d, enum quantity q,
                     const struct where *where)
 {
     return fold(d, q, where, fmax);
 }
 
-double dataset_least(const struct study_results *d, enum quantity q,
+double results_least(const struct study_results *d, enum quantity q,
                      const struct where *where)
 {
     return fold(d, q, where, fmin);
 }
 
-double dataset_all_most(const struct study_results *d, enum quantity q,
+double results_all_most(const struct study_results *d, enum quantity q,
                         const struct where *where)
 {
     return fold(d, q, where, judge_most);
 }
 
-int dataset_values(const struct study_results *d, enum quantity q,
+int results_values(const struct study_results *d, enum quantity q,
                    const struct where *where, int most, double *values)
 {
     struct place p = begin(d);
@@ -170,7 +170,7 @@ int dataset_values(const struct study_results *d, enum quantity q,
     return count;
 }
 
-void dataset_write(const struct study_results *d, enum quantity q,
+void results_write(const struct study_results *d, enum quantity q,
                    const struct where *where, FILE *file)
 {
     struct place p = begin(d);
@@ -186,13 +186,13 @@ void dataset_write(const struct study_results *d, enum quantity q,
     }
 }
 
-double dataset_ratio(const struct study_results *d, enum quantity q, const struct where *a,
+double results_ratio(const struct study_results *d, enum quantity q, const struct where *a,
                      const struct where *b)
 {
-    return dataset_at(d, q, a) / dataset_at(d, q, b);
+    return results_at(d, q, a) / results_at(d, q, b);
 }
 
-double dataset_apart(const struct study_results *d, const struct where *a,
+double results_apart(const struct study_results *d, const struct where *a,
                      const struct where *b)
 {
     struct place p, other;
@@ -200,7 +200,7 @@ double dataset_apart(const struct study_results *d, const struct where *a,
     return find(d, a, &p) && find(d, b, &other) ? study_distance(&p, &other) : NAN;
 }
 
-double dataset_exponent(const struct study_results *d, enum quantity x, enum quantity y,
+double results_exponent(const struct study_results *d, enum quantity x, enum quantity y,
                         const struct where *where)
 {
     double xs[PLAN_STUDY_LEVELS], ys[PLAN_STUDY_LEVELS];
@@ -229,7 +229,7 @@ static enum status check_quantity(const struct plan *plan, const char *name, int
                                   where, yaml_tree_quote(name).text);
 }
 
-enum status dataset_check(const struct plan *plan, struct message *why)
+enum status results_check(const struct plan *plan, struct message *why)
 {
     enum status st = STATUS_OK;
 
@@ -338,7 +338,7 @@ static bool is_seen(const struct view *v, enum quantity q)
 }
 
 /* Adds a level at a time; behind the levels of a study stands its truth. */
-static void add_row(struct table *t, const struct view *v, enum part part,
+static void add_row(struct dataset *t, const struct view *v, enum part part,
                     const struct place *p)
 {
     const struct rules *rules = &v->d->plan->verdicts;
@@ -346,30 +346,30 @@ static void add_row(struct table *t, const struct view *v, enum part part,
     const bool truth = p->level == p->s->plan->level_count;
     char words[256];
 
-    table_row(t);
+    dataset_row(t);
     for (int n = 0; n < v->axes; n++) {
-        const char *label = !truth ? dataset_label(p->s, p->level, v->axis[n])
+        const char *label = !truth ? results_label(p->s, p->level, v->axis[n])
                             : n    ? NULL
                                    : "truth";
         if (label)
-            table_add(t, "%s", label);
+            dataset_add(t, "%s", label);
         else
-            table_add(t, "-");
+            dataset_add(t, "-");
     }
     if (part != PART_RUN && v->timed)
-        table_add(t, "%.4g", p->s->time ? p->s->time[p->time] : NAN);
+        dataset_add(t, "%.4g", p->s->time ? p->s->time[p->time] : NAN);
     for (int n = 0; n < v->columns; n++) {
         const enum quantity q = v->column[n];
         if (is_in(part, q) && quantity_table[q].digits)
-            table_add(t, "%.*g", quantity_table[q].digits, quantity_at(p, q));
+            dataset_add(t, "%.*g", quantity_table[q].digits, quantity_at(p, q));
         else if (is_in(part, q))
-            table_add(t, "%.0f", quantity_at(p, q));
+            dataset_add(t, "%.0f", quantity_at(p, q));
     }
     if (rules->count && part != PART_TIMES && truth)
-        table_add(t, "-");
+        dataset_add(t, "-");
     else if (rules->count && part != PART_TIMES)
-        table_add(t, "%s",
-                  rules_text(rules, rules_of(rules, &row->result), words, sizeof words));
+        dataset_add(t, "%s",
+                    rules_text(rules, rules_of(rules, &row->result), words, sizeof words));
 }
 
 /* Returns whether people see a level. */
@@ -378,7 +378,7 @@ static bool is_shown(const struct study_results *d, const struct study *s, int l
     const struct plan_settings *shown = &d->plan->table.shown;
 
     for (int n = 0; n < shown->count; n++) {
-        const char *label = dataset_label(s, level, shown->list[n].key);
+        const char *label = results_label(s, level, shown->list[n].key);
         if (!label || strcmp(label, shown->list[n].value))
             return false;
     }
@@ -387,7 +387,7 @@ static bool is_shown(const struct study_results *d, const struct study *s, int l
 
 /* Adds the rows of a study: its levels one by one or, alone, time by time, with its truth.
  */
-static void add_study(struct table *t, const struct view *v, enum part part, bool people,
+static void add_study(struct dataset *t, const struct view *v, enum part part, bool people,
                       const struct study *s)
 {
     const bool last = part == PART_RUN || (people && v->d->plan->table.last);
@@ -398,47 +398,47 @@ static void add_study(struct table *t, const struct view *v, enum part part, boo
         const int level = v->alone ? k % levels : k / times;
         const int time = first + (v->alone ? k / levels : k % times);
         if (v->alone && k && !level)
-            table_rule(t);
+            dataset_rule(t);
         if (level == s->plan->level_count ||
             (!s->row[level].left_out && (!people || is_shown(v->d, s, level))))
             add_row(t, v, part, &(struct place){v->d, s, level, time});
     }
 }
 
-static struct table *fill(const struct view *v, enum part part, bool people,
-                          const char *caption)
+static struct dataset *fill(const struct view *v, enum part part, bool people,
+                            const char *caption)
 {
     const struct study_results *d = v->d;
-    struct table_column columns[AXES + 2 + PLAN_TABLE_COLUMNS];
+    struct dataset_column columns[AXES + 2 + PLAN_TABLE_COLUMNS];
     int count = 0;
 
     for (; count < v->axes; count++)
-        columns[count] = (struct table_column){v->axis[count], NULL, TABLE_LEFT};
+        columns[count] = (struct dataset_column){v->axis[count], NULL, DATASET_LEFT};
     if (d->count > 1) {
         columns[0] =
-            (struct table_column){"study", NULL, TABLE_LEFT, "caption", TABLE_PEOPLE};
-        columns[1].readers = TABLE_MACHINES;
+            (struct dataset_column){"study", NULL, DATASET_LEFT, "caption", DATASET_PEOPLE};
+        columns[1].readers = DATASET_MACHINES;
     }
     if (part != PART_RUN && v->timed)
-        columns[count++] = (struct table_column){
+        columns[count++] = (struct dataset_column){
             "time", "s",
-            .readers = v->alone && !d->study->time ? TABLE_MACHINES : TABLE_ALL};
+            .readers = v->alone && !d->study->time ? DATASET_MACHINES : DATASET_ALL};
     for (int n = 0; n < v->columns; n++) {
         const struct quantity_row *q = &quantity_table[v->column[n]];
         const bool length = v->alone && q->unit && !strcmp(q->unit, "L");
         if (is_in(part, v->column[n]))
-            columns[count++] = (struct table_column){
+            columns[count++] = (struct dataset_column){
                 q->head, q->unit, .key = length ? NULL : q->name, /* error_over_length */
-                .readers = is_seen(v, v->column[n]) ? TABLE_ALL : TABLE_MACHINES};
+                .readers = is_seen(v, v->column[n]) ? DATASET_ALL : DATASET_MACHINES};
     }
     if (d->plan->verdicts.count && part != PART_TIMES)
-        columns[count++] = (struct table_column){"by the rules", NULL, TABLE_LEFT};
-    struct table *t = table_create(count, columns, caption);
+        columns[count++] = (struct dataset_column){"by the rules", NULL, DATASET_LEFT};
+    struct dataset *t = dataset_create(count, columns, caption);
     for (int k = 0; k < d->count; k++) {
-        const int rows = table_rows(t);
+        const int rows = dataset_count(t);
         add_study(t, v, part, people, &d->study[k]);
-        if (k + 1 < d->count && table_rows(t) > rows)
-            table_rule(t);
+        if (k + 1 < d->count && dataset_count(t) > rows)
+            dataset_rule(t);
     }
     return t;
 }
@@ -461,32 +461,32 @@ static double observed_order(const struct study_results *d, const struct study *
 
 /* Adds notes on how runs ended that did not come to their end, on orders and on the truth.
  */
-static void note_study(struct table *t, const struct view *v, const struct study *s)
+static void note_study(struct dataset *t, const struct view *v, const struct study *s)
 {
     for (int n = 0; n < s->plan->level_count; n++)
         if (!s->row[n].left_out &&
             (s->row[n].result.outcome || run_result_missed(&s->row[n].result)))
-            table_note(t, "%s, %s: %s.", s->plan->name, s->row[n].level->label,
-                       s->row[n].result.sentence.text);
+            dataset_note(t, "%s, %s: %s.", s->plan->name, s->row[n].level->label,
+                         s->row[n].result.sentence.text);
     for (int time = 0; v->alone && time < s->frames; time++) {
         const char *what = s->truth ? "error" : "difference from the finest";
         const double order = observed_order(v->d, s, time);
         if (!isnan(order) && s->time)
-            table_note(t, "Observed order at %g s: %.2g, of the %s.", s->time[time], order,
-                       what);
+            dataset_note(t, "Observed order at %g s: %.2g, of the %s.", s->time[time],
+                         order, what);
         else if (!isnan(order))
-            table_note(t, "Observed order: %.2g, of the %s.", order, what);
+            dataset_note(t, "Observed order: %.2g, of the %s.", order, what);
     }
     if (v->alone)
-        table_note(t, "Gamma = %.4g.", s->gamma);
+        dataset_note(t, "Gamma = %.4g.", s->gamma);
     if (s->truth)
-        table_note(t, "Truth of %s: %s.", s->plan->name, s->truth->source);
+        dataset_note(t, "Truth of %s: %s.", s->plan->name, s->truth->source);
     else if (s->plan->truth)
-        table_note(t, "Truth of %s: none; %s.", s->plan->name, s->no_truth.text);
+        dataset_note(t, "Truth of %s: none; %s.", s->plan->name, s->no_truth.text);
 }
 
 /* Adds notes on columns, on verdicts and on each study. */
-static void add_notes(struct table *t, const struct view *v)
+static void add_notes(struct dataset *t, const struct view *v)
 {
     const struct rules *rules = &v->d->plan->verdicts;
     char text[2048] = "";
@@ -496,16 +496,16 @@ static void add_notes(struct table *t, const struct view *v)
         if (is_seen(v, v->column[n]))
             TEXT_JOIN(text, "; ", "%s: %s", q->head, q->help);
     }
-    table_note(t, "%s.", text);
+    dataset_note(t, "%s.", text);
     if (v->d->plan->table.note)
-        table_note(t, "%s", v->d->plan->table.note);
+        dataset_note(t, "%s", v->d->plan->table.note);
     for (int n = 0; n < rules->count; n++) {
         const struct rule *r = &rules->rule[n];
         const char *unit = measure_unit(r->measure);
         const bool pure = !strcmp(unit, "1");
-        table_note(t, "%s: %s %s %g%s%s; %s.", r->label, measure_name(r->measure),
-                   r->above ? "above" : "below", r->bound, pure ? "" : " ",
-                   pure ? "" : unit, r->why);
+        dataset_note(t, "%s: %s %s %g%s%s; %s.", r->label, measure_name(r->measure),
+                     r->above ? "above" : "below", r->bound, pure ? "" : " ",
+                     pure ? "" : unit, r->why);
     }
     for (int k = 0; k < v->d->count; k++)
         note_study(t, v, &v->d->study[k]);
@@ -517,7 +517,7 @@ static void write_labels(const struct study *s, int level, const struct plan_set
 {
     snprintf(text, 128, "%s", first);
     for (int n = 0; n < axes->count; n++) {
-        const char *axis = axes->list[n].key, *label = dataset_label(s, level, axis);
+        const char *axis = axes->list[n].key, *label = results_label(s, level, axis);
         const bool bare = axes->count == 1 || !strcmp(axis, "study");
         if (label)
             status_join(text, 128, ", ", "%s%s%s", bare ? "" : axis, bare ? "" : " ",
@@ -526,7 +526,7 @@ static void write_labels(const struct study *s, int level, const struct plan_set
 }
 
 /* Adds the levels at their last times to the table of a chart. */
-static void add_points(struct table *t, const struct study_results *d,
+static void add_points(struct dataset *t, const struct study_results *d,
                        const struct plan_chart *plan)
 {
     const int x = quantity_find(plan->x); /* -1: the size of levels */
@@ -542,13 +542,13 @@ static void add_points(struct table *t, const struct study_results *d,
                 write_labels(s, n, &plan->panel, "", panel);
                 write_labels(s, n, &plan->line,
                              plan->y.count > 1 ? quantity_table[of].head : "", line);
-                table_row(t);
-                table_text(t, "%s", panel);
-                table_text(t, "%s", line);
-                table_add(t, "%.6g|%.6g",
-                          x < 0 ? s->row[n].level->size
-                                : quantity_at(&at, (enum quantity)x),
-                          isnan(plan->from) ? y : fabs(y - plan->from));
+                dataset_row(t);
+                dataset_text(t, "%s", panel);
+                dataset_text(t, "%s", line);
+                dataset_add(t, "%.6g|%.6g",
+                            x < 0 ? s->row[n].level->size
+                                  : quantity_at(&at, (enum quantity)x),
+                            isnan(plan->from) ? y : fabs(y - plan->from));
             }
 }
 
@@ -578,45 +578,45 @@ static enum status save_chart(const struct study_results *d, const char *folder,
         write_axis(q, y);
     else
         snprintf(y, sizeof y, "|%s - %g|", q->head, plan->from);
-    const struct table_column columns[] = {{"panel", NULL, TABLE_LEFT},
-                                           {"line", NULL, TABLE_LEFT},
-                                           {"x", .key = x},
-                                           {"y", .key = y}};
-    struct table *t = TABLE_OF(columns, NULL);
+    const struct dataset_column columns[] = {{"panel", NULL, DATASET_LEFT},
+                                             {"line", NULL, DATASET_LEFT},
+                                             {"x", .key = x},
+                                             {"y", .key = y}};
+    struct dataset *t = DATASET_OF(columns, NULL);
     add_points(t, d, plan);
     snprintf(file, sizeof file, "%.100s_chart", name);
-    const enum status st = table_save(t, folder, file, why);
-    table_destroy(t);
+    const enum status st = printer_save(t, folder, file, why);
+    dataset_destroy(t);
     return st;
 }
 
-static enum status print_view(const struct view *v, const char *folder,
-                              const struct printer *p, struct message *why)
+static enum status print_view(const struct view *v, const char *folder, struct printer *p,
+                              struct message *why)
 {
-    const bool people = !table_format_is_data(p->format);
+    const bool people = !printer_is_data(p);
     const bool apart =
         people && v->timed && has_part(v, PART_RUN) && has_part(v, PART_TIMES);
-    struct table *all = fill(v, PART_ALL, false, v->caption), *t;
+    struct dataset *all = fill(v, PART_ALL, false, v->caption), *t;
     char cost[256];
     enum status st;
 
     snprintf(cost, sizeof cost, "%s%s", v->caption, v->alone ? ": cost" : "");
-    TRY(table_save(all, folder, v->name, why));
+    TRY(printer_save(all, folder, v->name, why));
     if (apart)
-        TRY(kept_table(p, fill(v, PART_RUN, people, cost)));
+        TRY(printer_table(p, fill(v, PART_RUN, people, cost), NULL, why));
     t = !apart || v->alone ? fill(v, apart ? PART_TIMES : PART_ALL, people, v->caption)
                            : fill(v, PART_TIMES, people,
                                   v->d->plan->table.last ? "The same at the last time"
                                                          : "The same at the times");
     add_notes(t, v);
-    TRY(kept_table(p, t));
+    TRY(printer_table(p, t, NULL, why));
 out:
-    table_destroy(all);
+    dataset_destroy(all);
     return st;
 }
 
-enum status dataset_print(const struct study_results *d, const char *folder,
-                          const struct printer *p, struct message *why)
+enum status results_print(const struct study_results *d, const char *folder,
+                          struct printer *p, struct message *why)
 {
     const struct plan *plan = d->plan;
     struct view v = view_of(d);

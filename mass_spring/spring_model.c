@@ -75,14 +75,6 @@ static void probe(const void *state, int n, const double *uvw, double *xyz)
     mesh_sample(&m->net.mesh, m->net.scene, &field, n, uvw, xyz);
 }
 
-static void size(const void *state, struct model_size *size)
-{
-    const struct spring_motion *m = state;
-    const struct system none = {.held = &m->net.supports};
-
-    *size = system_size(m->march.graph ? &m->march.system : &none, "mid-surface points");
-}
-
 /* Describes the misfit of springs to plane stress, and explicit steps. */
 static void describe(const void *state, struct message *line)
 {
@@ -90,12 +82,7 @@ static void describe(const void *state, struct message *line)
     struct message steps = {{0}};
 
     spring_law_tell(&m->springs.law, m->net.mesh.cell, m->net.scene, line);
-    if (m->leapfrog)
-        snprintf(steps.text, sizeof steps.text,
-                 "explicit steps of %.3g s, stable below %.3g s about rest",
-                 spring_leapfrog_step(m->leapfrog), spring_leapfrog_limit(m->leapfrog));
-    else
-        march_describe(state, &steps);
+    march_describe(state, &steps);
     size_t end = strlen(line->text);
     if (*steps.text)
         snprintf(line->text + end, sizeof line->text - end, "; %s", steps.text);
@@ -119,10 +106,10 @@ const struct model spring_model = {
     .init = init,
     .advance = spring_motion_step,
     .probe = probe,
-    .size = size,
+    .size = march_size,
     .describe = describe,
     .energy = spring_motion_energy,
-    .contact = spring_motion_contact,
-    .equilibrium = spring_motion_rest,
+    .contact = march_contact,
+    .equilibrium = march_equilibrium,
     .clear = spring_motion_clear,
 };

@@ -30,29 +30,26 @@ static void frames(const void *motion, double (*Q)[9])
         frames_of_net(points, false, m->net.x + 3 * (size_t)first, Q + first);
 }
 
-/* Makes, once, what implicit steps and equilibrium need. */
 static enum status make_march(struct spring_motion *m, struct message *why)
 {
     enum status st;
     struct discretization d = *m->asked;
-    const bool implicit = m->integrator == INTEGRATOR_IMPLICIT;
+    const bool implicit = m->integrator == INTEGRATOR_IMPLICIT,
+               swept = m->integrator == INTEGRATOR_LEAPFROG;
 
-    if (m->march.graph)
-        return STATUS_OK;
     if (m->integrator == INTEGRATOR_EXPLICIT)
         d.integrator = INTEGRATOR_LEAPFROG;
-    else if (!implicit)
-        d.integrator = INTEGRATOR_MOMENTUM, d.substeps = 0, d.iterations = 0;
     if (!in_squares(m)) {
         d.newton = NEWTON_FULL; /* a tangent costs no more than two of its solutions */
         if (d.solver == SOLVER_AUTO)
             d.solver = SOLVER_CG; /* on an earlier factor */
     }
-    if (in_squares(m))
-        TRY(spring_strips_init(&m->strips, &m->stencil));
-    else
-        TRY(spring_lengths_init(&m->lengths, &m->springs));
+    TRY(in_squares(m) ? spring_strips_init(&m->strips, &m->stencil)
+                      : spring_lengths_init(&m->lengths, &m->springs));
+    m->swept = (struct spring_body){.net = &m->net, .stencil = &m->stencil};
     m->march = (struct march){
+        .integrator = swept ? &spring_leapfrog_integrator : NULL,
+        .moved = &m->swept,
         .body = in_squares(m) ? m->strips.body : m->lengths.body,
         .scene = m->net.scene,
         .graph = &m->springs.graph,
@@ -77,24 +74,6 @@ static enum status make_march(struct spring_motion *m, struct message *why)
         TRY(iterative_follow(m->march.system.iterative, frames, m, false));
     }
 out:
-    if (st != STATUS_OK) {
-        march_clear(&m->march);
-        spring_strips_clear(&m->strips);
-        spring_lengths_clear(&m->lengths);
-    }
-    return st;
-}
-
-enum status spring_motion_rest(void *motion, struct counters *counters, struct message *why)
-{
-    enum status st;
-    struct spring_motion *m = motion;
-
-    TRY(make_march(m, why));
-    TRY(march_equilibrium(motion, counters, why));
-    if (m->leapfrog)
-        spring_leapfrog_place(m->leapfrog, m->march.time);
-out:
     return st;
 }
 
@@ -114,17 +93,6 @@ out:
     return st;
 }
 
-static enum status make_leapfrog(struct spring_motion *m, const struct discretization *d,
-                                 struct message *why)
-{
-    enum status st;
-    const struct spring_body body = {.net = &m->net, .stencil = &m->stencil};
-
-    TRY(spring_leapfrog_make(&body, d->precision, d->substeps, &m->leapfrog, why));
-out:
-    return st;
-}
-
 void spring_motion_clear(void *motion)
 {
     struct spring_motion *m = motion;
@@ -133,7 +101,6 @@ void spring_motion_clear(void *motion)
     spring_strips_clear(&m->strips);
     spring_lengths_clear(&m->lengths);
     spring_stencil_clear(&m->stencil);
-    spring_leapfrog_free(m->leapfrog);
     spring_net_clear(&m->springs);
     net_clear(&m->net);
     memset(m, 0, sizeof *m);
@@ -152,8 +119,7 @@ enum status spring_motion_init(struct spring_motion *m, const struct scene *scen
     TRY(spring_net_init(&m->springs, scene, &m->net.mesh, d->parameters, in_squares(m)));
     if (in_squares(m))
         TRY(make_stencil(m, d));
-    TRY(m->integrator == INTEGRATOR_LEAPFROG ? make_leapfrog(m, d, why)
-                                             : make_march(m, why));
+    TRY(make_march(m, why));
     m->rest_energy = spring_motion_elastic(m);
 out:
     if (st != STATUS_OK)
@@ -238,11 +204,6 @@ enum status spring_motion_step(void *motion, struct counters *counters)
     enum status st;
     struct spring_motion *m = motion;
 
-    if (m->leapfrog) {
-        m->march.rested = false;
-        counters->steps++;
-        return spring_leapfrog_frame(m->leapfrog, counters);
-    }
     TRY(march_step(motion, counters));
     if (m->strain_limit > 0)
         limit_frame(m, m->march.work);
@@ -250,35 +211,16 @@ out:
     return st;
 }
 
-void spring_motion_contact(const void *motion, struct model_contact *contact)
-{
-    const struct spring_motion *m = motion;
-
-    if (!m->leapfrog || m->march.rested)
-        march_contact(motion, contact);
-    else
-        net_touches(&m->net, contact);
-}
-
-const struct spring_stencil *spring_motion_stencil(const struct spring_motion *m)
-{
-    return m->stencil.mesh ? &m->stencil : NULL;
-}
-
 double spring_motion_elastic(const struct spring_motion *m)
 {
-    const struct spring_stencil *stencil = spring_motion_stencil(m);
-
-    return stencil ? spring_stencil_energy(stencil, m->net.x)
-                   : spring_force_energy(&m->springs, m->net.x);
+    return in_squares(m) ? spring_stencil_energy(&m->stencil, m->net.x)
+                         : spring_force_energy(&m->springs, m->net.x);
 }
 
 void spring_motion_energy(const void *motion, struct energy *energy)
 {
     const struct spring_motion *m = motion;
 
-    if (m->leapfrog)
-        spring_leapfrog_velocity(m->leapfrog, m->net.v);
-    net_energy(&m->net, m->leapfrog ? m->net.v : m->march.v, energy);
+    net_energy(&m->net, march_velocity(&m->march), energy);
     energy->elastic = spring_motion_elastic(m) - m->rest_energy;
 }

@@ -38,7 +38,7 @@ struct spring_own {      /* choices of its own (models/option.h) */
 };
 
 struct spring_motion {
-    struct march march; /* first: march.h; of leapfrog's steps made for equilibrium    */
+    struct march march; /* first: march.h                                              */
     const struct discretization *asked; /* borrowed                                    */
     struct net net;
     struct spring_net springs;
@@ -49,7 +49,7 @@ struct spring_motion {
     struct spring_lengths lengths; /* implicit and explicit                         */
     struct spring_stencil stencil; /* leapfrog and momentum, as what follows        */
     struct spring_strips strips;
-    struct spring_leapfrog *leapfrog; /* steps of that integrator, else NULL   owned   */
+    struct spring_body swept; /* leapfrog's                                           */
 };
 
 /* Initialises; *m must stay where it is: it holds pointers into itself. */
@@ -59,14 +59,7 @@ void spring_motion_clear(void *motion);
 
 /* Implement model.h's entries for a struct spring_motion: step that of advance. */
 enum status spring_motion_step(void *motion, struct counters *counters);
-void spring_motion_contact(const void *motion, struct model_contact *contact);
 void spring_motion_energy(const void *motion, struct energy *energy);
-enum status spring_motion_rest(void *motion, struct counters *counters,
-                               struct message *why);
-
-/* Returns leapfrog's and momentum's net; NULL: the net's own springs in lengths and
- * struts. */
-const struct spring_stencil *spring_motion_stencil(const struct spring_motion *m);
 
 /* Returns the elastic energy of x [J], with its round-off at rest. */
 double spring_motion_elastic(const struct spring_motion *m);

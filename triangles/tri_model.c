@@ -13,17 +13,14 @@ static double elastic(const struct tri_motion *m, const double *x)
     return m->meshed ? tri_shell_energy(&m->shell, x) : tri_body_energy(&m->body, x);
 }
 
-/* Makes, once, what steps but swept ones, equilibrium and modes need. */
-static enum status make_march(struct tri_motion *m, struct message *why)
+static enum status make_march(struct tri_motion *m, const struct discretization *d,
+                              struct message *why)
 {
     const struct mesh *mesh = &m->net.mesh;
-    struct discretization d = m->asked;
 
-    if (m->march.graph)
-        return STATUS_OK;
-    if (m->swept)
-        d.integrator = INTEGRATOR_MOMENTUM;
     m->march = (struct march){
+        .integrator = m->swept.net ? &spring_leapfrog_integrator : NULL,
+        .moved = &m->swept,
         .body = m->meshed ? m->shell.body : m->body.body,
         .scene = m->net.scene,
         .graph = m->meshed ? &m->shell.graph : &m->triangles.graph,
@@ -38,26 +35,21 @@ static enum status make_march(struct tri_motion *m, struct message *why)
         .unknowns = mesh->nodes > mesh->vertices ? "mid-surface points and turns of edges"
                                                  : "mid-surface points",
     };
-    return march_init_net(&m->march, &d, why);
+    return march_init_net(&m->march, d, why);
 }
 
-static enum status make_leapfrog(struct tri_motion *m, const struct discretization *d,
-                                 struct message *why)
+/* Makes what a sweep moves: the bending's stencil, and cells. */
+static enum status make_swept(struct tri_motion *m, const struct discretization *d)
 {
-    enum status st;
     const struct mesh *mesh = &m->net.mesh;
-    struct spring_body body = {.net = &m->net, .stencil = &m->stencil, .cells = &m->cells};
+    const double *D = m->body.D[0];
 
-    m->cells.membrane = OWN(tri_own, d)->membrane;
-    m->cells.D[0] = m->body.D[0][LAW_11];
-    m->cells.D[1] = m->body.D[0][LAW_12];
-    m->cells.D[2] = m->body.D[0][LAW_22];
-    m->cells.D[3] = m->body.D[0][LAW_33];
-    memcpy(m->cells.cell, mesh->cell, sizeof m->cells.cell);
-    TRY(spring_stencil_init(&m->stencil, m->net.scene, mesh, NULL, &m->triangles.forms));
-    TRY(spring_leapfrog_make(&body, d->precision, d->substeps, &m->leapfrog, why));
-out:
-    return st;
+    m->cells = (struct spring_cells){.membrane = OWN(tri_own, d)->membrane,
+                                     .D = {D[LAW_11], D[LAW_12], D[LAW_22], D[LAW_33]},
+                                     .cell = {mesh->cell[0], mesh->cell[1]}};
+    m->swept =
+        (struct spring_body){.net = &m->net, .stencil = &m->stencil, .cells = &m->cells};
+    return spring_stencil_init(&m->stencil, m->net.scene, mesh, NULL, &m->triangles.forms);
 }
 
 static enum status build(struct tri_motion *m, const struct scene *scene,
@@ -77,11 +69,10 @@ static enum status build(struct tri_motion *m, const struct scene *scene,
         TRY(tri_body_init(&m->body, scene, &m->triangles, OWN(tri_own, d)->membrane));
     }
     m->rest_energy = elastic(m, m->net.x);
-    if (m->swept) {
-        TRY(make_leapfrog(m, d, why));
-    } else {
-        TRY(make_march(m, why));
-    }
+    if (!m->meshed && d->integrator == INTEGRATOR_LEAPFROG &&
+        d->bending == BENDING_QUADRATIC)
+        TRY(make_swept(m, d));
+    TRY(make_march(m, d, why));
 out:
     return st;
 }
@@ -90,7 +81,6 @@ static void tri_motion_clear(void *motion)
 {
     struct tri_motion *m = motion;
 
-    spring_leapfrog_free(m->leapfrog);
     spring_stencil_clear(&m->stencil);
     march_clear(&m->march);
     free(m->order);
@@ -107,44 +97,11 @@ static enum status tri_motion_init(struct tri_motion *m, const struct scene *sce
 {
     const bool meshed = !mesh_is_grid(d) || d->bending == BENDING_MIDEDGE;
 
-    *m = (struct tri_motion){.swept = !meshed && d->integrator == INTEGRATOR_LEAPFROG &&
-                                      d->bending == BENDING_QUADRATIC,
-                             .meshed = meshed,
-                             .asked = *d};
+    *m = (struct tri_motion){.meshed = meshed, .asked = *d};
     enum status st = build(m, scene, d, why);
 
     if (st != STATUS_OK)
         tri_motion_clear(m);
-    return st;
-}
-
-/* Implement model.h's entries advance, equilibrium, modes, matrices, contact and energy;
- * the state is a struct tri_motion. */
-static enum status tri_motion_step(void *state, struct counters *counters)
-{
-    struct tri_motion *m = state;
-    enum status st;
-
-    if (!m->leapfrog)
-        return march_step(state, counters);
-    m->march.rested = false;
-    TRY(spring_leapfrog_frame(m->leapfrog, counters));
-    counters->steps++;
-out:
-    return st;
-}
-
-static enum status tri_motion_rest(void *state, struct counters *counters,
-                                   struct message *why)
-{
-    struct tri_motion *m = state;
-    enum status st;
-
-    TRY(make_march(m, why));
-    TRY(march_equilibrium(state, counters, why));
-    if (m->leapfrog)
-        spring_leapfrog_place(m->leapfrog, m->march.time);
-out:
     return st;
 }
 
@@ -174,7 +131,6 @@ static enum status tri_motion_modes(void *state, int count, double *omega,
     struct tri_motion *m = state;
     enum status st;
 
-    TRY(make_march(m, why));
     TRY(weigh_turns(m, true));
     TRY(march_modes(state, count, omega, why));
     TRY(weigh_turns(m, false));
@@ -220,23 +176,11 @@ out:
     return st;
 }
 
-static void tri_motion_contact(const void *state, struct model_contact *contact)
-{
-    const struct tri_motion *m = state;
-
-    if (!m->leapfrog || m->march.rested)
-        march_contact(state, contact);
-    else
-        net_touches(&m->net, contact);
-}
-
 static void tri_motion_energy(const void *state, struct energy *energy)
 {
     const struct tri_motion *m = state;
 
-    if (m->leapfrog)
-        spring_leapfrog_velocity(m->leapfrog, m->net.v);
-    net_energy(&m->net, m->leapfrog ? m->net.v : m->march.v, energy);
+    net_energy(&m->net, march_velocity(&m->march), energy);
     energy->elastic = elastic(m, m->net.x) - m->rest_energy;
 }
 
@@ -342,22 +286,10 @@ static void probe(const void *state, int n, const double *uvw, double *xyz)
     net_probe(&m->net, n, uvw, xyz);
 }
 
-static void size(const void *state, struct model_size *size)
-{
-    const struct tri_motion *m = state;
-    const struct system none = {.held = &m->net.supports};
-
-    *size = system_size(m->march.system.factor ? &m->march.system : &none,
-                        m->net.mesh.nodes > m->net.mesh.vertices
-                            ? "mid-surface points and turns of edges"
-                            : "mid-surface points");
-}
-
 /* Describes deviations from the scene's law, and the explicit steps' limit. */
 static void describe(const void *state, struct message *line)
 {
     const struct tri_motion *m = state;
-    const struct spring_leapfrog *l = m->leapfrog;
     const bool conditions = m->body.membrane == MEMBRANE_BARAFF_WITKIN;
     struct message limit;
 
@@ -373,22 +305,18 @@ static void describe(const void *state, struct message *line)
                  *limit.text ? "; " : "", limit.text);
         return;
     }
-    if (l)
-        snprintf(limit.text, sizeof limit.text,
-                 "explicit steps of %.3g s, stable below %.3g s about rest",
-                 spring_leapfrog_step(l), spring_leapfrog_limit(l));
     snprintf(line->text, sizeof line->text, "%s%s%s%s%.160s",
              conditions
                  ? "membrane by the conditions of Baraff and Witkin: the C11, C22 and C33 "
                    "of the sheet, and no C12"
                  : "",
-             conditions && (l || m->triangles.hinge_count) ? "; " : "",
+             conditions && (m->march.own || m->triangles.hinge_count) ? "; " : "",
              m->triangles.hinge_count
                  ? "hinges bend with the scene's D about any axis, but with the Gaussian "
                    "curvature of a plate of nu = 0: a narrow strip is 1 / (1 - nu^2) times "
                    "too stiff"
                  : "",
-             m->march.own ? "; " : "", limit.text);
+             m->triangles.hinge_count && m->march.own ? "; " : "", limit.text);
 }
 
 const struct model tri_model = {
@@ -410,13 +338,13 @@ const struct model tri_model = {
                  .integrator = INTEGRATOR_MOMENTUM},
     .bytes = sizeof(struct tri_motion),
     .init = init,
-    .advance = tri_motion_step,
+    .advance = march_step,
     .probe = probe,
-    .size = size,
+    .size = march_size,
     .describe = describe,
     .energy = tri_motion_energy,
-    .contact = tri_motion_contact,
-    .equilibrium = tri_motion_rest,
+    .contact = march_contact,
+    .equilibrium = march_equilibrium,
     .modes = tri_motion_modes,
     .matrices = tri_motion_matrices,
     .clear = tri_motion_clear,

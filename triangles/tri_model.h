@@ -32,8 +32,7 @@ struct tri_own { /* choices of its own (models/option.h) */
 };
 
 struct tri_motion {
-    struct march march;          /* first: march.h; made when swept steps need it        */
-    bool swept;                  /* steps of spring_leapfrog.h                           */
+    struct march march;          /* first: march.h                                       */
     struct discretization asked; /* integrator, substeps, iterations, solver           */
     struct net net;
     bool meshed; /* tri_shell.h, else the grid of tri_body.h                           */
@@ -41,9 +40,9 @@ struct tri_motion {
     struct tri_body body;
     struct tri_shell shell;
     int *order; /* of the nodes of a mesh, for its band                       owned   */
-    struct spring_cells cells; /* swept only, as what follows                        */
+    struct spring_cells cells; /* swept only, as what follows                    */
     struct spring_stencil stencil;
-    struct spring_leapfrog *leapfrog; /*                                       owned   */
+    struct spring_body swept; /* net NULL: steps are not spring_leapfrog.h's              */
     double rest_energy; /* round-off of the energy at rest                       [J]   */
 };
 

@@ -52,8 +52,8 @@ void march_clear(struct march *m)
     free(m->contact);
     contact_outside_clear(&m->outside);
     pressure_clear(&m->pressure);
-    free(m->strain_old);
     free(m->dead);
+    free(m->tangents);
     free(m->room);
     memset(m, 0, sizeof *m);
 }
@@ -62,19 +62,12 @@ static enum status make_room(struct march *m)
 {
     enum status st;
     const size_t count = count_of(m), pairs = (size_t)m->graph->start[m->graph->nodes];
-    const bool large = m->kinematics == KINEMATICS_NONLINEAR,
-               viscous = m->lag > 0 || m->relief;
-    const size_t strains = large ? large_body_strains(&m->body) : 0;
     double *x = NULL, *load = NULL, *M = NULL;
 
     TRY(room_cut(&m->room, ROOM(m->d, 3 * count), ROOM(m->work, 3 * count),
                  ROOM(x, m->x ? 0 : count), ROOM(load, m->load ? 0 : count),
                  ROOM(M, m->mass ? pairs : 0),
-                 ROOM(m->held, 4 * (size_t)m->supports->held_count),
-                 ROOM(m->past, large && m->learns ? MARCH_GAINS * count : 0),
-                 ROOM(m->V, large && m->body.plain && m->beta > 0 ? pairs : 0),
-                 ROOM(m->newton, large ? 6 * count : 0),
-                 ROOM(m->K, large || !m->stiffness ? pairs : 0)));
+                 ROOM(m->held, 4 * (size_t)m->supports->held_count)));
     m->v = m->d + count, m->a = m->v + count;
     if (x)
         m->x = memcpy(x, m->rest, count * sizeof *x);
@@ -82,20 +75,71 @@ static enum status make_room(struct march *m)
         m->M = M;
     for (int a = 0; M && a < m->graph->nodes; a++)
         M[m->graph->start[a]] = m->mass[a];
-    if (large) {
-        m->strain_old = malloc((1 + viscous) * strains * sizeof *m->strain_old);
-        if (!m->strain_old)
-            return STATUS_MEMORY;
-        m->gain = viscous ? m->strain_old + strains : NULL;
-        m->factored = -1;
-    }
-    if (contact_wanted(m->scene) && large && !(m->contact = calloc(1, sizeof *m->contact)))
-        return STATUS_MEMORY;
     if (load) {
         m->load = load;
         march_weigh(m);
     }
 out:
+    return st;
+}
+
+static enum status make_tangents(struct march *m)
+{
+    const size_t count = count_of(m), pairs = (size_t)m->graph->start[m->graph->nodes];
+    const bool large = m->kinematics == KINEMATICS_NONLINEAR,
+               viscous = m->lag > 0 || m->relief;
+    const size_t strains = large ? large_body_strains(&m->body) : 0;
+    const enum status st =
+        room_cut(&m->tangents, ROOM(m->past, large && m->learns ? MARCH_GAINS * count : 0),
+                 ROOM(m->V, large && m->body.plain && m->beta > 0 ? pairs : 0),
+                 ROOM(m->newton, large ? 6 * count : 0),
+                 ROOM(m->strain_old, (1 + viscous) * strains),
+                 ROOM(m->K, large || !m->stiffness ? pairs : 0));
+
+    m->gain = large && viscous ? m->strain_old + strains : NULL;
+    m->factored = large ? -1 : 0;
+    return st;
+}
+
+static enum status make_contact(struct march *m)
+{
+    enum status st;
+    struct contact_surface surface;
+
+    if (!contact_wanted(m->scene) || m->kinematics != KINEMATICS_NONLINEAR)
+        return STATUS_OK;
+    if (!(m->contact = calloc(1, sizeof *m->contact)))
+        return STATUS_MEMORY;
+    if (!m->mass)
+        return STATUS_OK; /* the owner knows its surface */
+    TRY(contact_surface_init_net(&surface, m->scene, m->net));
+    TRY(contact_init(m->contact, m->scene, &surface));
+out:
+    return st;
+}
+
+/* Makes, once, what Newton's method needs. */
+static enum status make_newton(struct march *m)
+{
+    enum status st;
+    int *order = NULL;
+
+    if (m->system.graph)
+        return STATUS_OK;
+    TRY(make_tangents(m));
+    TRY(make_contact(m));
+    if (!m->stiffness && m->kinematics == KINEMATICS_LINEAR) {
+        TRY(large_body_tangent(&m->body, &large_path_statics, m->rest,
+                               (struct large_foresight){0}, m->K));
+        m->stiffness = (const double(*)[9])m->K;
+    }
+    if (!m->order)
+        TRY(order_wide(m->net[0], m->net[1], m->net[2], &order));
+    TRY(system_init(&m->system, m->graph, m->supports,
+                    m->kinematics == KINEMATICS_LINEAR ? m->parity : NULL,
+                    m->order ? m->order : order, &m->asked));
+out:
+    free(order);
     return st;
 }
 
@@ -132,10 +176,10 @@ static void start_moving(struct march *m)
 enum status march_init(struct march *m, const struct discretization *d, struct message *why)
 {
     enum status st;
-    int *order = NULL;
 
     m->kinematics = d->kinematics;
-    m->integrator = integrator_of(d);
+    m->integrator = m->integrator ? m->integrator : integrator_of(d);
+    m->asked.solver = d->solver, m->asked.preconditioner = d->preconditioner;
     m->full = d->newton == NEWTON_FULL;
     m->substeps = m->substeps ? m->substeps : 1;
     m->dt = m->scene->step / m->substeps;
@@ -144,41 +188,23 @@ enum status march_init(struct march *m, const struct discretization *d, struct m
     set_damping(m);
     TRY(make_room(m));
     start_moving(m);
-    if (!m->stiffness && m->kinematics == KINEMATICS_LINEAR) {
-        TRY(large_body_tangent(&m->body, &large_path_statics, m->rest,
-                               (struct large_foresight){0}, m->K));
-        m->stiffness = (const double(*)[9])m->K;
-    }
-    if (!m->order)
-        TRY(order_wide(m->net[0], m->net[1], m->net[2], &order));
-    TRY(system_init(&m->system, m->graph, m->supports,
-                    m->kinematics == KINEMATICS_LINEAR ? m->parity : NULL,
-                    m->order ? m->order : order, d));
+    if (!m->integrator->contact)
+        TRY(make_newton(m));
     if (m->integrator->make)
         TRY(m->integrator->make(m, d, why));
 out:
-    free(order);
     return st;
 }
 
 enum status march_init_net(struct march *m, const struct discretization *d,
                            struct message *why)
 {
-    enum status st;
-    struct contact_surface surface;
-
     m->euler = d->integrator == INTEGRATOR_IMPLICIT;
     m->lag = m->euler ? 0 : march_lag;
-    m->enough = d->iterations;
+    m->enough = m->euler ? d->iterations : 0;
     m->substeps =
         d->integrator == INTEGRATOR_LEAPFROG ? 1 : d->substeps; /* divides by itself */
-    TRY(march_init(m, d, why));
-    if (m->contact) {
-        TRY(contact_surface_init_net(&surface, m->scene, m->net));
-        TRY(contact_init(m->contact, m->scene, &surface));
-    }
-out:
-    return st;
+    return march_init(m, d, why);
 }
 
 void march_still(struct march *m, double t)
@@ -287,6 +313,10 @@ void march_contact(const void *state, struct model_contact *contact)
 {
     const struct march *m = state;
 
+    if (m->integrator->contact && !m->rested) {
+        m->integrator->contact(m, contact);
+        return;
+    }
     if (!m->contact) {
         contact_outside_report(&m->outside, contact);
         return;
@@ -338,11 +368,19 @@ void march_energy(const void *state, struct energy *energy)
     }
 }
 
+const double *march_velocity(const struct march *m)
+{
+    if (m->integrator->look)
+        m->integrator->look(m);
+    return m->v;
+}
+
 void march_size(const void *state, struct model_size *size)
 {
     const struct march *m = state;
+    const struct system none = {.held = m->supports};
 
-    *size = system_size(&m->system, m->unknowns);
+    *size = system_size(m->system.graph ? &m->system : &none, m->unknowns);
 }
 
 void march_describe(const void *state, struct message *line)
@@ -361,6 +399,7 @@ enum status march_equilibrium(void *state, struct counters *counters, struct mes
 
     TRY(supports_allow_rest(m->supports, m->scene, m->kinematics == KINEMATICS_NONLINEAR,
                             why));
+    TRY(make_newton(m));
     m->time = supports_rest_time(m->supports, m->scene);
     m->started = false;
     TRY(m->integrator->rest(m, counters, why));

@@ -11,6 +11,8 @@
  *              (integrator_momentum.c), by Newton's method (large_newton.h).
  *   leapfrog   large displacements, explicit (integrator_leapfrog.c).
  *
+ * A net whose steps are sweeps brings a row of its own (net/spring_leapfrog.h).
+ *
  * Equilibrium is in march_rest.c. A model's state begins with a struct march, so that the
  * functions at the end serve as entries of struct model.
  */
@@ -56,6 +58,9 @@ struct march {
     bool relief; /* lag is march_lag for a while after a step that Newton's method cannot
                     take without                                                         */
 
+    const struct march_integrator *integrator; /* NULL: that of the kinematics          */
+    const void *moved; /* of an integrator of nets: spring_leapfrog.h                    */
+
     bool learns;  /* a step is guessed by extrapolating the gains of velocity          */
     bool euler;   /* implicit steps are Euler's                                           */
     int substeps; /* of a frame; 0: one                                                  */
@@ -64,14 +69,15 @@ struct march {
     int enough; /* iterations after which a step is taken; 0: converged                 */
 
     enum kinematics kinematics;
-    const struct march_integrator *integrator;
+    struct discretization asked; /* its solver and preconditioner only                  */
     struct system system;
     double dt;          /* length of a step                              [s]     */
     double alpha, beta; /* Rayleigh damping, drag in alpha              [1/s, s] */
     double keep;        /* factor on velocities after each frame         [1]     */
     double gamma;       /* K + gamma M acts on d [1/s^2]; of `printed` only      */
     double density[SCENE_MAX_SHEETS]; /*                                       [kg/m^3]  */
-    void *room;        /* of the arrays but dead                        owned   */
+    void *room;        /* of the arrays but dead and Newton's           owned   */
+    void *tangents;    /* of Newton's: V, K, past, newton, strain_old   owned   */
     double *d, *v, *a; /* [nodes][3] displacement (integrator_printed.c: increment),
                           velocity, mean acceleration of the last step */
     double *work;      /* [3][nodes][3]                                         */
@@ -90,7 +96,7 @@ struct march {
     /* The rest is of large displacements. */
     bool full;                      /* a new tangent in each iteration                   */
     struct contact_coupled coupled; /* where the sheet touches itself            owned   */
-    double *strain_old;             /* strains at the step's start               owned   */
+    double *strain_old;             /* strains at the step's start                       */
     double *gain;    /* of the last substep, gain_dt long; NULL: no viscosity        */
     double gain_dt;  /*                                                      [s]     */
     int stay, stays; /* with relief: substeps that the lag is still for, was last    */
@@ -124,7 +130,11 @@ struct march_integrator {
     /* Returns the free unknowns' kinetic energy where the mass is not M [J]. */
     double (*kinetic)(const struct march *m);
     void (*describe)(const struct march *m, struct message *line); /* NULL: nothing       */
-    void (*clear)(struct march *m);                                /* frees m->own        */
+    /* Of steps that need neither system nor contact of the march, which are then made when
+     * equilibrium asks for them: the contact of the last step, and v brought up to x. */
+    void (*contact)(const struct march *m, struct model_contact *contact);
+    void (*look)(const struct march *m);
+    void (*clear)(struct march *m); /* frees m->own        */
 };
 extern const struct march_integrator integrator_newmark, integrator_printed,
     integrator_momentum, integrator_leapfrog;
@@ -146,6 +156,9 @@ enum status march_init(struct march *m, const struct discretization *d,
 enum status march_init_net(struct march *m, const struct discretization *d,
                            struct message *why);
 void march_clear(struct march *m);
+
+/* Returns v, brought up to x: nets compute their energies from it. Borrowed. */
+const double *march_velocity(const struct march *m);
 
 /* Notes that x is at rest at time t: no velocity, and no history of steps. */
 void march_still(struct march *m, double t);

@@ -1,10 +1,12 @@
 #include "models/net/spring_leapfrog.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "models/mechanics/frequency.h"
+#include "models/mechanics/march_rest.h"
 #include "models/room.h"
 
 /* Fractions of the greatest stable step: the one chosen, and the largest tolerated. */
@@ -13,30 +15,16 @@ static const double CHOSEN = 0.95, BORNE = 0.98;
 /* The steps of a frame become fewer only by more than a tenth. */
 static const double FEWER = 0.9;
 
-struct spring_leapfrog {
-    struct spring_body body;
-    const struct scene *scene; /* the net's                                            */
-    struct net *net;           /* the body's                                           */
-    struct spring_sweep *sweep;
-    int asked, substeps;
-    double limit, dt; /* [s] */
-    long frame;
-    void *room;
-    double (*c)[SWEEP_COUNT];     /* [nodes]                                            */
-    double *x, *v;                /* [nodes][3] of the sweep                            */
-    double *before;               /* [nodes][3] positions before a step                 */
-    double *now, *kicked, *ahead; /* [nodes][3] work                                   */
-    double *shift;                /* [held_count] of held points now                    */
-    double *next;                 /* [held_count] work                                  */
-};
-
-void spring_leapfrog_free(struct spring_leapfrog *l)
+static void discard(struct spring_leapfrog *l)
 {
-    if (!l)
-        return;
-    spring_sweep_free(l->sweep);
-    free(l->room);
+    if (l)
+        spring_sweep_free(l->sweep), free(l->room);
     free(l);
+}
+
+static void clear(struct march *m)
+{
+    discard(m->own);
 }
 
 static size_t count(const struct spring_leapfrog *l)
@@ -135,7 +123,7 @@ static void start(struct spring_leapfrog *l, const double *x, const double *now)
 
 /* Computes the present v: the mean of half a step ago and half a step on; of held points,
  * that of the step. Leaves the sweep as it is. */
-void spring_leapfrog_velocity(const struct spring_leapfrog *l, double *v)
+static void velocity(const struct spring_leapfrog *l, double *v)
 {
     double *x = l->net->beta > 0 ? l->x : NULL, *old = l->v; /* before the kick */
 
@@ -147,14 +135,9 @@ void spring_leapfrog_velocity(const struct spring_leapfrog *l, double *v)
         v[n] = l->net->supports.free_index[n] < 0 ? old[n] : (old[n] + v[n]) / 2;
 }
 
-double spring_leapfrog_step(const struct spring_leapfrog *l)
+static void look(const struct march *m)
 {
-    return l->dt;
-}
-
-double spring_leapfrog_limit(const struct spring_leapfrog *l)
-{
-    return l->limit;
+    velocity(m->own, m->v);
 }
 
 /* Returns how much stiffer a net is at most with its springs as long as at x: a spring is,
@@ -232,19 +215,20 @@ out:
     return st;
 }
 
-enum status spring_leapfrog_make(const struct spring_body *body, enum precision precision,
-                                 int substeps, struct spring_leapfrog **leapfrog,
-                                 struct message *why)
+static enum status make(struct march *m, const struct discretization *d,
+                        struct message *why)
 {
     enum status st;
+    const struct spring_body *body = m->moved;
     size_t nodes = (size_t)body->net->mesh.nodes;
+    int substeps;
     double omega;
     struct spring_leapfrog *l = calloc(1, sizeof *l);
 
     if (!l)
         return STATUS_MEMORY;
     l->body = *body, l->scene = body->net->scene, l->net = body->net;
-    l->asked = substeps;
+    l->asked = d->substeps;
     TRY(room_cut(&l->room, ROOM(l->c, nodes), ROOM(l->x, 3 * nodes), ROOM(l->v, 3 * nodes),
                  ROOM(l->before, 3 * nodes), ROOM(l->now, 3 * nodes),
                  ROOM(l->kicked, 3 * nodes), ROOM(l->ahead, 3 * nodes),
@@ -252,16 +236,16 @@ enum status spring_leapfrog_make(const struct spring_body *body, enum precision 
                  ROOM(l->next, body->net->supports.held_count)));
     supports_shift(&body->net->supports, l->scene, 0, l->shift);
     TRY(find_frequency(l, &omega));
-    TRY(make_sweep(l, precision, &l->sweep));
+    TRY(make_sweep(l, d->precision, &l->sweep));
     TRY(net_meet(l->net));
     l->limit = frequency_limit(omega, l->net->beta);
-    TRY(frequency_steps(l->scene->step, l->limit, CHOSEN, substeps, &substeps, why));
+    TRY(frequency_steps(l->scene->step, l->limit, CHOSEN, d->substeps, &substeps, why));
     spring_sweep_follow(l->sweep, l->net->x, l->net->v);
     set_step(l, substeps);
     start(l, l->net->x, l->net->v);
-    *leapfrog = l, l = NULL;
+    m->own = l, l = NULL;
 out:
-    spring_leapfrog_free(l);
+    discard(l);
     return st;
 }
 
@@ -287,6 +271,31 @@ void spring_leapfrog_place(struct spring_leapfrog *l, double t)
     supports_shift(&l->net->supports, l->scene, t, l->shift);
     memset(l->now, 0, count(l) * sizeof *l->now);
     start(l, l->net->x, l->now);
+}
+
+static enum status rest(struct march *m, struct counters *counters, struct message *why)
+{
+    struct spring_leapfrog *l = m->own;
+    const enum status st = march_rest_equilibrium(m, counters, why);
+
+    if (st == STATUS_OK)
+        spring_leapfrog_place(l, m->time);
+    return st;
+}
+
+static void tell_contact(const struct march *m, struct model_contact *contact)
+{
+    const struct spring_leapfrog *l = m->own;
+
+    *contact = net_contact_report(l->net->contact);
+}
+
+static void describe(const struct march *m, struct message *line)
+{
+    const struct spring_leapfrog *l = m->own;
+
+    snprintf(line->text, sizeof line->text,
+             "explicit steps of %.3g s, stable below %.3g s about rest", l->dt, l->limit);
 }
 
 /* Gives a point's free components their place x and the velocity of their real way. */
@@ -347,14 +356,14 @@ static void watch(struct spring_leapfrog *l, const double *x)
         return;
     if (borne <= l->substeps && chosen >= FEWER * l->substeps)
         return;
-    spring_leapfrog_velocity(l, l->now);
+    velocity(l, l->now);
     set_step(l, (int)chosen);
     start(l, x, l->now);
 }
 
 static void scale(struct spring_leapfrog *l, double factor, const double *x)
 {
-    spring_leapfrog_velocity(l, l->now);
+    velocity(l, l->now);
     supports_damp(&l->net->supports, factor, l->now);
     start(l, x, l->now);
 }
@@ -379,10 +388,14 @@ static bool all_finite(const double *x, size_t n)
     return none == 0;
 }
 
-enum status spring_leapfrog_frame(struct spring_leapfrog *l, struct counters *counters)
+static enum status step(struct march *m, double t, struct counters *counters)
 {
     enum status st = STATUS_OK;
+    struct spring_leapfrog *l = m->own;
     double *x = l->net->x;
+
+    (void)t; /* l->frame has it without the rounding of a sum */
+    m->rested = false;
 
     net_contact_frame(l->net->contact);
     if (l->net->contact || l->net->supports.moving)
@@ -402,3 +415,14 @@ enum status spring_leapfrog_frame(struct spring_leapfrog *l, struct counters *co
 out:
     return st;
 }
+
+const struct march_integrator spring_leapfrog_integrator = {
+    .make = make,
+    .step = step,
+    .rest = rest,
+    .modes = march_rest_modes,
+    .describe = describe,
+    .contact = tell_contact,
+    .look = look,
+    .clear = clear,
+};

@@ -12,38 +12,40 @@
 #ifndef SPRING_LEAPFROG_H
 #define SPRING_LEAPFROG_H
 
+#include "models/mechanics/march.h"
 #include "models/net/net.h"
 #include "models/net/spring_stencil.h"
 #include "models/net/spring_sweep.h"
 
-/* The net to be moved; all borrowed, and must outlive it. */
+/* The net to be moved, the march's `moved`; all borrowed, and must outlive it. */
 struct spring_body {
     struct net *net;
     const struct spring_stencil *stencil;
     const struct spring_cells *cells; /* NULL: the stencil's springs; else in their place */
 };
 
-struct spring_leapfrog; /* opaque */
+/* The march's `own`. */
+struct spring_leapfrog {
+    struct spring_body body;
+    const struct scene *scene; /* the net's                                            */
+    struct net *net;           /* the body's                                           */
+    struct spring_sweep *sweep;
+    int asked, substeps;
+    double limit, dt; /* [s] */
+    long frame;
+    void *room;
+    double (*c)[SWEEP_COUNT];     /* [nodes]                                            */
+    double *x, *v;                /* [nodes][3] of the sweep                            */
+    double *before;               /* [nodes][3] positions before a step                 */
+    double *now, *kicked, *ahead; /* [nodes][3] work                                   */
+    double *shift;                /* [held_count] of held points now                    */
+    double *next;                 /* [held_count] work                                  */
+};
 
-/* Starts from the net's x and v at time 0. substeps: of a frame, 0: as many as are needed.
- * STATUS_INPUT with a sentence if they are more than a million. */
-enum status spring_leapfrog_make(const struct spring_body *body, enum precision precision,
-                                 int substeps, struct spring_leapfrog **leapfrog,
-                                 struct message *why);
-void spring_leapfrog_free(struct spring_leapfrog *l);
-
-/* Moves one frame, scene->step; then damps the velocity. Positions go to the net's x.
- * STATUS_NAN, STATUS_MEMORY. */
-enum status spring_leapfrog_frame(struct spring_leapfrog *l, struct counters *counters);
+/* Starts from the net's x and v at time 0. */
+extern const struct march_integrator spring_leapfrog_integrator;
 
 /* Notes that the net is at rest at its x at time t [s], a whole number of frames. */
 void spring_leapfrog_place(struct spring_leapfrog *l, double t);
-
-/* Computes the present velocities v[nodes][3]. */
-void spring_leapfrog_velocity(const struct spring_leapfrog *l, double *v);
-
-/* Return the step [s], and the greatest stable one about rest. */
-double spring_leapfrog_step(const struct spring_leapfrog *l);
-double spring_leapfrog_limit(const struct spring_leapfrog *l);
 
 #endif

@@ -57,7 +57,7 @@ static void check_slope(int n, int m, const char *membrane)
     double *x = s->net.x, small = 1e-4 * run.scene.length / n;
     for (int t = 0; t < 3 * n * m; t++)
         x[t] += 1e3 * small * sin(7. * t);
-    spring_leapfrog_place(s->leapfrog, 0);
+    spring_leapfrog_place(s->march.own, 0);
     opened_steps(&run, 1);
     opened_total(&run); /* fetches the velocities */
     for (int t = 0; t < 3 * n * m; t += EVERY) {
@@ -65,7 +65,7 @@ static void check_slope(int n, int m, const char *membrane)
         x[t] = was + small, slope = tri_body_energy(&s->body, x);
         x[t] = was - small, slope -= tri_body_energy(&s->body, x);
         x[t] = was, slope = s->net.load[t] - slope / (2 * small);
-        off = fmax(off, fabs(s->net.v[t] * s->net.mass[t / 3] / run.scene.step - slope));
+        off = fmax(off, fabs(s->march.v[t] * s->net.mass[t / 3] / run.scene.step - slope));
         most = fmax(most, fabs(slope));
     }
     if (!CHECK(off < SLOPE * most))

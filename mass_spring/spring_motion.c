@@ -51,23 +51,15 @@ static enum status make_march(struct spring_motion *m, struct message *why)
         .integrator = swept ? &spring_leapfrog_integrator : NULL,
         .moved = &m->swept,
         .body = in_squares(m) ? m->strips.body : m->lengths.body,
-        .scene = m->net.scene,
         .graph = &m->springs.graph,
-        .mass = m->net.mass,
         .drag = m->asked->parameters == PARAMETERS_PAPER ? m->net.drag : NULL,
-        .rest = m->net.mesh.rest,
-        .x = m->net.x,
-        .load = m->net.load,
-        .net = {m->net.mesh.points[0], m->net.mesh.points[1], 1},
-        .supports = &m->net.supports,
-        .unknowns = "mid-surface points",
         .learns = implicit,
         .tolerance = (d.tolerance > 0 ? d.tolerance
                       : implicit      ? DEFAULT_TOLERANCE
                                       : 0) *
                      fmin(m->net.mesh.cell[0], m->net.mesh.cell[1]),
     };
-    TRY(march_init_net(&m->march, &d, why));
+    TRY(net_march(&m->net, &m->march, &d, why));
     if (!in_squares(m)) {
         m->march.loose = d.iterations == 1 ? LAST_TOLERANCE : LINEAR_TOLERANCE;
         system_single(&m->march.system);

@@ -16,26 +16,14 @@ static double elastic(const struct tri_motion *m, const double *x)
 static enum status make_march(struct tri_motion *m, const struct discretization *d,
                               struct message *why)
 {
-    const struct mesh *mesh = &m->net.mesh;
-
     m->march = (struct march){
         .integrator = m->swept.net ? &spring_leapfrog_integrator : NULL,
         .moved = &m->swept,
         .body = m->meshed ? m->shell.body : m->body.body,
-        .scene = m->net.scene,
         .graph = m->meshed ? &m->shell.graph : &m->triangles.graph,
-        .mass = m->net.mass,
-        .rest = mesh->rest,
-        .uvw = (const double(*)[3])mesh->uvw,
         .order = m->order,
-        .x = m->net.x,
-        .load = m->net.load,
-        .net = {mesh->points[0], mesh->points[1], 1},
-        .supports = &m->net.supports,
-        .unknowns = mesh->nodes > mesh->vertices ? "mid-surface points and turns of edges"
-                                                 : "mid-surface points",
     };
-    return march_init_net(&m->march, d, why);
+    return net_march(&m->net, &m->march, d, why);
 }
 
 /* Makes what a sweep moves: the bending's stencil, and cells. */

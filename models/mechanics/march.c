@@ -196,17 +196,6 @@ out:
     return st;
 }
 
-enum status march_init_net(struct march *m, const struct discretization *d,
-                           struct message *why)
-{
-    m->euler = d->integrator == INTEGRATOR_IMPLICIT;
-    m->lag = m->euler ? 0 : march_lag;
-    m->enough = m->euler ? d->iterations : 0;
-    m->substeps =
-        d->integrator == INTEGRATOR_LEAPFROG ? 1 : d->substeps; /* divides by itself */
-    return march_init(m, d, why);
-}
-
 void march_still(struct march *m, double t)
 {
     memset(m->d, 0, 3 * count_of(m) * sizeof *m->d); /* d, v and a */

@@ -151,10 +151,6 @@ enum status march_refuse(const struct discretization *d, struct message *why);
 enum status march_init(struct march *m, const struct discretization *d,
                        struct message *why);
 
-/* Does so for a net of points, whose nodes are what meets bodies, and whose substeps,
- * iterations and Euler's steps are choices. */
-enum status march_init_net(struct march *m, const struct discretization *d,
-                           struct message *why);
 void march_clear(struct march *m);
 
 /* Returns v, brought up to x: nets compute their energies from it. Borrowed. */

@@ -99,6 +99,30 @@ void net_arrive(const struct net *net, int iterations, int most, double dt,
                  nodes, net->scene, dt);
 }
 
+enum status net_march(struct net *net, struct march *m, const struct discretization *d,
+                      struct message *why)
+{
+    const struct mesh *mesh = &net->mesh;
+    const int points[] = {mesh->points[0], mesh->points[1], 1};
+
+    m->scene = net->scene;
+    m->mass = net->mass;
+    m->rest = mesh->rest;
+    m->uvw = (const double(*)[3])mesh->uvw;
+    m->x = net->x;
+    m->load = net->load;
+    memcpy(m->net, points, sizeof m->net);
+    m->supports = &net->supports;
+    m->unknowns = mesh->nodes > mesh->vertices ? "mid-surface points and turns of edges"
+                                               : "mid-surface points";
+    m->euler = d->integrator == INTEGRATOR_IMPLICIT;
+    m->lag = m->euler ? 0 : march_lag;
+    m->enough = m->euler ? d->iterations : 0;
+    m->substeps =
+        d->integrator == INTEGRATOR_LEAPFROG ? 1 : d->substeps; /* divides by itself */
+    return march_init(m, d, why);
+}
+
 void net_energy(const struct net *net, const double *v, struct energy *energy)
 {
     double kinetic = 0, potential = 0;

@@ -6,6 +6,7 @@
 #define NET_H
 
 #include "models/mechanics/arrival.h"
+#include "models/mechanics/march.h"
 #include "models/mesh/mesh.h"
 #include "models/model.h"
 #include "models/net/net_contact.h"
@@ -42,6 +43,11 @@ void net_hold(struct net *net, double t);
 /* Prepares to judge steps (arrival.h) of dt [s] by the forces that are left. */
 void net_arrive(const struct net *net, int iterations, int most, double dt,
                 struct arrival *arrival);
+
+/* Initialises a march of the net, whose owner has set the body, its graph and what no net
+ * knows. Substeps, iterations and Euler's steps are choices. */
+enum status net_march(struct net *net, struct march *m, const struct discretization *d,
+                      struct message *why);
 
 /* Computes kinetic and potential energy at net->x, of v; leaves the elastic one. */
 void net_energy(const struct net *net, const double *v, struct energy *energy);

@@ -80,6 +80,8 @@ while IFS='|' read -r text setting; do
     ends 2 "$text" "$program" run edge_drop --set "$setting"
 done <<'SETTINGS'
 decimals stand after a point|time.end=0,5
+decimals stand after a point|time={step: 0,005, end: 1}
+decimals stand after a point|gravity=[0, 0, -9,81]
 numbers stand without their unit|sheet.length=30cm
 numbers stand without their unit|gravity=[0, 0, 9.81 m]
 its minus sign is not '-'|gravity=[0, 0, −9.81]
@@ -103,6 +105,7 @@ ends 1 'cannot be a device' "$program" "${short[@]}" --out /dev/full
 ends 1 'File too large' bash -c 'ulimit -f 8 && exec "$@"' - "$program" "${short[@]}" \
     --out big.h5
 [ ! -e big.h5 ] || fail 'a file that is too large is left behind'
+ends 1 'none/a.h5: cannot be created' timeout 10 "$program" truth edge_drop --out none/a.h5
 for out in none/a.h5 '' "$(printf '%0300d' 0).h5"; do
     ends 1 '' "$program" "${short[@]}" --out "$out"
     [ -s err ] || fail "--out '$out' says nothing"

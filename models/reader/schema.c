@@ -80,22 +80,33 @@ static struct wanted wanted(const struct schema_key *key)
     return w;
 }
 
+/* Tells whether a key is what braces make of the digits behind a decimal comma. */
+static bool is_digits(const char *key)
+{
+    return key && strspn(key, "+-.0123456789eE") == strlen(key) &&
+           strpbrk(key, "0123456789");
+}
+
 /* Returns what makes a text no number, as people write numbers elsewhere; "": another
- * thing.
+ * thing. Brackets and braces make two of a number with a comma.
  */
 static const char *slip_of(const struct schema_key *key, const struct yaml_tree *node)
 {
-    static const char minus[] = "\xe2\x88\x92";
+    static const char minus[] = "\xe2\x88\x92", point[] = "; decimals stand after a point";
     char *end;
 
-    if (key->type > SCHEMA_COUNTS || node->kind != YAML_TREE_SCALAR)
+    if (key->type > SCHEMA_COUNTS)
         return "";
+    if (node->kind != YAML_TREE_SCALAR)
+        return node->kind == YAML_TREE_LIST && node->count > 3 ? point : "";
+    if (node->next && is_digits(node->next->key))
+        return point;
     if (!strncmp(node->text, minus, strlen(minus)))
         return "; its minus sign is not '-'";
     strtod(node->text, &end);
     if (end == node->text)
         return "";
-    return *end == ',' && isdigit((unsigned char)end[1]) ? "; decimals stand after a point"
+    return *end == ',' && isdigit((unsigned char)end[1]) ? point
            : isalpha((unsigned char)end[*end == ' '])
                ? "; numbers stand without their unit, which is the SI's"
                : "";
@@ -350,8 +361,7 @@ static enum status refuse_key(const struct schema_key *keys, const struct yaml_t
                 near.best = k->key, near.least = -1;
         near_try(&near, k->key);
     }
-    if (strspn(node->key, "+-.0123456789eE") == strlen(node->key) &&
-        strpbrk(node->key, "0123456789"))
+    if (is_digits(node->key))
         return yaml_tree_refuse(node, why,
                                 "%s has no key %s; is that what follows a decimal comma? "
                                 "numbers have a point",

@@ -112,8 +112,8 @@ mkdir mine outside
 mine=(movie.part case_12.h5 case_000001.h5.bak case_notes.txt table.csv.part map.csvx notes.h5
     case_000001.h5.12-x.part)
 theirs=(case_000001.h5.12-0.part table.csv.999-1.part case_000003.xdmf.1-0.part
-    map.csv.5-0.part seconds.csv.1-1.part)
-links=(table.csv seconds.csv case_000001.h5 case_000002.txt map.csv)
+    map.csv.5-0.part)
+links=(table.csv case_000001.h5 case_000002.txt map.csv)
 for name in "${mine[@]}" "${theirs[@]}"; do echo "$name" >"mine/$name"; done
 for name in "${links[@]}"; do
     echo "outside $name" >"outside/$name"

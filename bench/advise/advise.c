@@ -227,16 +227,16 @@ static void add_row(struct dataset *t, const struct advise_search *s,
 static struct dataset *create(const struct advise_search *s, char caption[TEXT])
 {
     static const struct dataset_column columns[] = {
-        {"model", NULL, DATASET_LEFT, .key = "title"},
-        {"contestant", NULL, DATASET_LEFT, .readers = DATASET_MACHINES},
-        {"serves", NULL, DATASET_LEFT},
-        {"net", NULL, DATASET_LEFT},
+        {"model", .key = "title"},
+        {"contestant", .readers = DATASET_MACHINES},
+        {"serves"},
+        {"net"},
         {"step", "ms", .key = "step_s", .key_unit = "s", .scale = 1e3},
         {"iterations"},
         {"error", "% L", .key = "error_over_length", .key_unit = "L", .scale = 100},
         {"time for 1 s", "s", .key = "seconds_per_second", .key_unit = "1"},
         {"memory", "MB", .key = "model_bytes", .key_unit = "B", .scale = 1e-6},
-        {"why not", NULL, DATASET_LEFT, .key = "reason"}};
+        {"why not", .key = "reason"}};
 
     if (is_for_frames(s))
         snprintf(caption, TEXT, "Contestants on %s at %.3g ms a frame, to %.3g s",

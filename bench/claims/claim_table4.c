@@ -133,13 +133,9 @@ static void words_cell(struct dataset *t, int answers)
 
 static struct dataset *words_table(const struct study_results *d)
 {
-    static const struct dataset_column columns[] = {{"row"},
-                                                    {"E", "Pa"},
-                                                    {"rho", "kg/m^3"},
-                                                    {"mu"},
-                                                    {"ours, flag", NULL, DATASET_LEFT},
-                                                    {"ours, edge_drop", NULL, DATASET_LEFT},
-                                                    {"paper", NULL, DATASET_LEFT}};
+    static const struct dataset_column columns[] = {
+        {"row"},        {"E", "Pa"},         {"rho", "kg/m^3"}, {"mu"},
+        {"ours, flag"}, {"ours, edge_drop"}, {"paper"}};
     struct dataset *t =
         DATASET_OF(columns, "Feasible, and if not, why: the paper's scheme by the "
                             "rules, and the paper");
@@ -157,8 +153,7 @@ static struct dataset *words_table(const struct study_results *d)
 static struct dataset *counts_table(const struct study_results *d)
 {
     enum { BEFORE = 2, MOST = 16 };
-    struct dataset_column columns[BEFORE + ANSWERS] = {{"reading", NULL, DATASET_LEFT},
-                                                       {"scene", NULL, DATASET_LEFT}};
+    struct dataset_column columns[BEFORE + ANSWERS] = {{"reading"}, {"scene"}};
     const char *reading[MOST];
     const int readings = results_labels(d, "reading", MOST, reading) - 1; /* not fourfold */
 
@@ -180,7 +175,7 @@ static struct dataset *counts_table(const struct study_results *d)
 static struct dataset *hindsight_table(const struct study_results *d)
 {
     static const struct dataset_column columns[] = {
-        {"answer", NULL, DATASET_LEFT},
+        {"answer"},
         {"paper's rows"},
         {"always no"},
         {"two bounds on E/rho", .key = "ratio_bounds"}};

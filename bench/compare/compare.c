@@ -295,13 +295,13 @@ struct words {
 static struct dataset *create_runs(const struct contest *c, struct words *w)
 {
     struct dataset_column columns[MOST_COLUMNS] = {
-        {"title", NULL, DATASET_LEFT, .readers = DATASET_MACHINES},
-        {"model", NULL, DATASET_LEFT, .key = "column", .readers = DATASET_PEOPLE},
-        {"contestant", NULL, DATASET_LEFT, .readers = DATASET_MACHINES},
-        {"model", NULL, DATASET_LEFT, .key = "model", .readers = DATASET_MACHINES},
+        {"title", .readers = DATASET_MACHINES},
+        {"model", .key = "column", .readers = DATASET_PEOPLE},
+        {"contestant", .readers = DATASET_MACHINES},
+        {"model", .key = "model", .readers = DATASET_MACHINES},
         {"side", .readers = DATASET_MACHINES},
         {"across", .readers = DATASET_MACHINES},
-        {"net", NULL, DATASET_LEFT, .readers = DATASET_PEOPLE},
+        {"net", .readers = DATASET_PEOPLE},
         {"step", "ms", .key = "step_s", .key_unit = "s", .scale = 1e3},
         {"iterations"},
         {"unknowns"},
@@ -311,11 +311,11 @@ static struct dataset *create_runs(const struct contest *c, struct words *w)
         {"memory", "MB", .key = "model_bytes", .key_unit = "B", .scale = 1e-6},
         {"set-up and stepping", "s", .key = "seconds", .readers = DATASET_MACHINES}};
     const struct dataset_column more[] = {
-        {"RMSE / L at the worst time", NULL, .key = "worst_rmse_over_length",
+        {"RMSE / L at the worst time", .key = "worst_rmse_over_length",
          .readers = DATASET_MACHINES},
-        {"bar", NULL, .key = "bar_over_length", .readers = DATASET_MACHINES},
+        {"bar", .key = "bar_over_length", .readers = DATASET_MACHINES},
         {"front", .readers = DATASET_MACHINES},
-        {"outcome", NULL, DATASET_LEFT, .readers = DATASET_MACHINES}};
+        {"outcome", .readers = DATASET_MACHINES}};
     int count = FIXED;
 
     for (int n = 0; n < c->truth->times; n++) {
@@ -478,10 +478,9 @@ static enum status print_targets(const struct contest *c, struct printer *p,
                                  struct message *why)
 {
     enum { WHO = 2, COLUMNS = WHO + CONTEST_TARGETS * RUN_COLUMNS + 1 };
-    struct dataset_column columns[COLUMNS] = {
-        {"model", NULL, DATASET_LEFT, .key = "title"},
-        {"contestant", NULL, DATASET_LEFT, .readers = DATASET_MACHINES},
-        [COLUMNS - 1] = {"growth", .key = "growth"}};
+    struct dataset_column columns[COLUMNS] = {{"model", .key = "title"},
+                                              {"contestant", .readers = DATASET_MACHINES},
+                                              [COLUMNS - 1] = {"growth", .key = "growth"}};
     struct run_words words[CONTEST_TARGETS];
     const struct contestant *who;
 
@@ -537,15 +536,14 @@ static enum status print_limits(const struct contest *c, struct printer *p,
 {
     enum { REAL = 2, LOWEST = REAL + RUN_COLUMNS, LIMIT = LOWEST + RUN_COLUMNS };
     static const struct dataset_column limit[] = {
-        {"limited by", NULL, DATASET_LEFT, .key = "sentence"},
-        {"limit", NULL, DATASET_LEFT, .readers = DATASET_MACHINES},
+        {"limited by", .key = "sentence"},
+        {"limit", .readers = DATASET_MACHINES},
         {"net_gain", .key = "net_gain", .readers = DATASET_MACHINES},
         {"across_gain", .key = "across_gain", .readers = DATASET_MACHINES},
         {"step_gain", .key = "step_gain", .readers = DATASET_MACHINES},
         {"iterations_gain", .key = "iterations_gain", .readers = DATASET_MACHINES}};
     struct dataset_column columns[LIMIT + sizeof limit / sizeof *limit] = {
-        {"model", NULL, DATASET_LEFT, .key = "title"},
-        {"contestant", NULL, DATASET_LEFT, .readers = DATASET_MACHINES}};
+        {"model", .key = "title"}, {"contestant", .readers = DATASET_MACHINES}};
     struct run_words real = {"in real time"}, lowest = {"lowest"};
     const struct contestant *who;
 
@@ -581,8 +579,8 @@ struct team_words {
 static struct dataset *create_teams(const struct contest *c, struct team_words *w)
 {
     struct dataset_column columns[9 + 2 * CONTEST_TEAMS + 1] = {
-        {"model", NULL, DATASET_LEFT, .key = "title"},
-        {"contestant", NULL, DATASET_LEFT, .readers = DATASET_MACHINES},
+        {"model", .key = "title"},
+        {"contestant", .readers = DATASET_MACHINES},
         {"side", .readers = DATASET_MACHINES},
         {"across", .readers = DATASET_MACHINES},
         {"net", .readers = DATASET_PEOPLE},
@@ -599,7 +597,7 @@ static struct dataset *create_teams(const struct contest *c, struct team_words *
         columns[count++] = (struct dataset_column){w->header[t], "s", .key = w->key[t]};
         columns[count++] = (struct dataset_column){"times", .key = w->ratio[t]};
     }
-    columns[count++] = (struct dataset_column){"same bits", NULL, DATASET_LEFT};
+    columns[count++] = (struct dataset_column){"same bits"};
     return dataset_create(count, columns,
                           "The best runs again with more threads, set-up and stepping");
 }

@@ -114,7 +114,7 @@ static enum status print_people(int count, const struct contest *const *contests
 
     if (!columns)
         return STATUS_MEMORY;
-    columns[0] = (struct dataset_column){"model", NULL, DATASET_LEFT};
+    columns[0] = (struct dataset_column){"model"};
     for (int s = 0; s < count; s++)
         columns[s + 1] = (struct dataset_column){contests[s]->scene->name, "s"};
     struct dataset *t = dataset_create(
@@ -168,20 +168,20 @@ static void add_row(struct dataset *t, const struct contest *c,
 static struct dataset *list_all(int count, const struct contest *const *contests)
 {
     static const struct dataset_column columns[] = {
-        {"scene", NULL, DATASET_LEFT},
-        {"contestant", NULL, DATASET_LEFT},
-        {"model", NULL, DATASET_LEFT},
+        {"scene"},
+        {"contestant"},
+        {"model"},
         {"span", "s"},
-        {"bar", NULL, .key = "bar_over_length"},
-        {"target", NULL, .key = "target_rmse_over_length"},
-        {"seconds", NULL, .key = "seconds"},
-        {"lowest", NULL, .key = "lowest_rmse_over_length"},
-        {"side", NULL},
-        {"across", NULL},
-        {"steps", NULL, .key = "steps_a_frame"},
-        {"iterations", NULL},
+        {"bar", .key = "bar_over_length"},
+        {"target", .key = "target_rmse_over_length"},
+        {"seconds", .key = "seconds"},
+        {"lowest", .key = "lowest_rmse_over_length"},
+        {"side"},
+        {"across"},
+        {"steps", .key = "steps_a_frame"},
+        {"iterations"},
         {"memory", "B", .key = "model_bytes"},
-        {"refused", NULL}};
+        {"refused"}};
     struct dataset *t = DATASET_OF(columns, "Contestants over scenes");
 
     for (int s = 0; s < count; s++)

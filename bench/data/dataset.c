@@ -62,6 +62,7 @@ static void copy_columns(struct dataset *t, const struct dataset_column *columns
 {
     t->columns = arena_take(&t->arena, (size_t)t->column_count, sizeof *t->columns);
     t->width = arena_take(&t->arena, (size_t)t->column_count, sizeof *t->width);
+    t->numeric = arena_take(&t->arena, (size_t)t->column_count, sizeof *t->numeric);
     for (int n = 0; n < t->column_count; n++) {
         const struct dataset_column *from = &columns[n];
         const int header = wrap_width(from->header), unit = wrap_width(from->unit);
@@ -121,6 +122,7 @@ static void fill_cell(struct dataset *t, int kind, double value, const char *for
     const size_t length = strlen(text);
     if (kind == DATASET_CELL_NUMBER && text[length - 1] == '.')
         text[length - 1] = '\0'; /* # keeps zeros, and with them a bare point */
+    t->numeric[t->filled] |= kind == DATASET_CELL_NUMBER;
     int *width = &t->width[t->filled];
     *width = wrap_width(text) > *width ? wrap_width(text) : *width;
     t->rows[t->row_count - 1]->cell[t->filled++] = (struct dataset_cell){text, kind, value};

@@ -4,7 +4,7 @@
  * A dataset is filled row by row, cell by cell; it lies in an arena of its own (arena.h):
  *
  *     static const struct dataset_column columns[] = {
- *         {"model", NULL, DATASET_LEFT},
+ *         {"model"},
  *         {"a frame", "ms", .key = "frame_s", .key_unit = "s", .scale = 1e3},
  *         {"unknowns", .readers = DATASET_MACHINES}};
  *     struct dataset *t = DATASET_OF(columns, "Cost of a frame");
@@ -19,16 +19,13 @@
 
 #include "bench/files/arena.h"
 
-enum dataset_align { DATASET_RIGHT, DATASET_LEFT };
-
 /* The readers of a column: people read text, Markdown and LaTeX, machines CSV and JSON; a
  * column for nobody is filled but not printed. */
 enum dataset_readers { DATASET_ALL, DATASET_PEOPLE, DATASET_MACHINES, DATASET_NOBODY };
 
 struct dataset_column {
-    const char *header;       /* borrowed until destroy; [a-z] words, short              */
-    const char *unit;         /* "ms", "1", ...; NULL: none, as for names       borrowed */
-    enum dataset_align align; /* right is for numbers                                    */
+    const char *header; /* borrowed until destroy; [a-z] words, short                  */
+    const char *unit;   /* "ms", "1", ...; NULL: none, as for names           borrowed */
 
     /* The key for machines: "frame_ms", with the unit where there is one. NULL: made of
      * header and unit, `a frame` in `ms` gives a_frame_ms; a second one of that name gets
@@ -56,6 +53,7 @@ struct dataset {
     bool rule_next;                 /* above the row to come                             */
     struct dataset_column *columns; /* [column_count], each with a key                   */
     int *width;                     /* [column_count] of the widest text so far          */
+    bool *numeric;                  /* [column_count] some cell is a number              */
     struct dataset_row **rows;      /* [row_count]                                       */
     char *caption;                  /* NULL: none                                        */
     char **notes;                   /* [note_count]                                      */

@@ -74,11 +74,6 @@ static const char *text_at(const struct dataset *t, int row, int column)
     return text ? text : "";
 }
 
-static bool is_right(const struct dataset *t, int column)
-{
-    return t->columns[column].align == DATASET_RIGHT;
-}
-
 /* Prints a cell as people see it; a header with its unit. */
 static void print_shown(const struct dataset *t, const struct table_line *line, int row,
                         int column, FILE *file)
@@ -246,7 +241,7 @@ static void print_cells(const struct dataset *t, const struct part *p, int row, 
         const char *cell = text_at(t, row, n);
         int blanks = t->width[n] - wrap_width(cell);
 
-        pending += is_right(t, n) ? blanks : 0;
+        pending += t->numeric[n] ? blanks : 0;
         if (*cell) {
             column += fprintf(file, "%*s", pending, "");
             if (column + wrap_width(cell) > WRAP_LINE)
@@ -256,7 +251,7 @@ static void print_cells(const struct dataset *t, const struct part *p, int row, 
             column += wrap_width(cell);
             pending = 0;
         }
-        pending += (is_right(t, n) ? 0 : blanks) + 2;
+        pending += (t->numeric[n] ? 0 : blanks) + 2;
     }
     fputc('\n', file);
 }
@@ -310,7 +305,7 @@ static int key_columns(const struct dataset *t)
         if (distinct && part_width(t, &p) > 0)
             return p.to;
     }
-    for (p.to = 1; p.to < t->column_count && !is_right(t, p.to);)
+    for (p.to = 1; p.to < t->column_count && !t->numeric[p.to];)
         p.to++;
     return part_width(t, &p) <= WRAP_LINE / 2 ? p.to : 1;
 }
@@ -327,7 +322,7 @@ static void fill_part(const struct dataset *t, struct part *p)
         if (!has(t, p->to, DATASET_PEOPLE))
             continue;
         if (wrapped ||
-            (over > 0 && !begins && (is_right(t, p->to) || width - over < CELL_WIDTH)))
+            (over > 0 && !begins && (t->numeric[p->to] || width - over < CELL_WIDTH)))
             return;
         wrapped = over > 0;
         begins = false;
@@ -371,7 +366,7 @@ static void print_markdown(const struct dataset *t, FILE *file)
     print_line(t, &line, TABLE_HEADERS, file);
     for (int n = 0; n < t->column_count; n++)
         if (has(t, n, DATASET_PEOPLE))
-            fputs(is_right(t, n) ? "|---:" : "|:---", file);
+            fputs(t->numeric[n] ? "|---:" : "|:---", file);
     fputs("|\n", file);
     for (int row = 0; row < t->row_count; row++)
         print_line(t, &line, row, file);
@@ -405,7 +400,7 @@ static void print_latex(const struct dataset *t, FILE *file)
     fputs("\\begin{tabular}{", file);
     for (int n = 0; n < t->column_count; n++)
         if (has(t, n, DATASET_PEOPLE))
-            fputc(is_right(t, n) ? 'r' : 'l', file);
+            fputc(t->numeric[n] ? 'r' : 'l', file);
     fputs("}\n\\hline\n", file);
     print_line(t, &line, TABLE_HEADERS, file);
     fputs("\\hline\n", file);

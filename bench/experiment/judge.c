@@ -64,10 +64,7 @@ enum verdict judge_both(enum verdict a, enum verdict b)
 struct dataset *judge_table(const char *caption)
 {
     static const struct dataset_column columns[] = {
-        {"source", NULL, DATASET_LEFT},   {"claim", NULL, DATASET_LEFT},
-        {"reading", NULL, DATASET_LEFT},  {"verdict", NULL, DATASET_LEFT},
-        {"sentence", NULL, DATASET_LEFT}, {"turns", NULL, DATASET_LEFT},
-        {"ours", NULL, DATASET_LEFT}};
+        {"source"}, {"claim"}, {"reading"}, {"verdict"}, {"sentence"}, {"turns"}, {"ours"}};
 
     return DATASET_OF(columns, caption);
 }

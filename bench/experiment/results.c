@@ -413,10 +413,10 @@ static struct dataset *fill(const struct view *v, enum part part, bool people,
     int count = 0;
 
     for (; count < v->axes; count++)
-        columns[count] = (struct dataset_column){v->axis[count], NULL, DATASET_LEFT};
+        columns[count] = (struct dataset_column){v->axis[count]};
     if (d->count > 1) {
         columns[0] =
-            (struct dataset_column){"study", NULL, DATASET_LEFT, "caption", DATASET_PEOPLE};
+            (struct dataset_column){"study", .key = "caption", .readers = DATASET_PEOPLE};
         columns[1].readers = DATASET_MACHINES;
     }
     if (part != PART_RUN && v->timed)
@@ -432,7 +432,7 @@ static struct dataset *fill(const struct view *v, enum part part, bool people,
                 .readers = is_seen(v, v->column[n]) ? DATASET_ALL : DATASET_MACHINES};
     }
     if (d->plan->verdicts.count && part != PART_TIMES)
-        columns[count++] = (struct dataset_column){"by the rules", NULL, DATASET_LEFT};
+        columns[count++] = (struct dataset_column){"by the rules"};
     struct dataset *t = dataset_create(count, columns, caption);
     for (int k = 0; k < d->count; k++) {
         const int rows = dataset_count(t);
@@ -578,10 +578,8 @@ static enum status save_chart(const struct study_results *d, const char *folder,
         write_axis(q, y);
     else
         snprintf(y, sizeof y, "|%s - %g|", q->head, plan->from);
-    const struct dataset_column columns[] = {{"panel", NULL, DATASET_LEFT},
-                                             {"line", NULL, DATASET_LEFT},
-                                             {"x", .key = x},
-                                             {"y", .key = y}};
+    const struct dataset_column columns[] = {
+        {"panel"}, {"line"}, {"x", .key = x}, {"y", .key = y}};
     struct dataset *t = DATASET_OF(columns, NULL);
     add_points(t, d, plan);
     snprintf(file, sizeof file, "%.100s_chart", name);

@@ -657,9 +657,9 @@ static void take_kind(void *context, const struct number *number)
 struct dataset *export_numbers_table(const struct export_sheet *s)
 {
     static const struct dataset_column columns[] = {
-        {"quantity", NULL, DATASET_LEFT},
+        {"quantity"},
         {"value"},
-        {"unit", NULL, DATASET_LEFT},
+        {"unit"},
         {"rest length", "m"},
         {"compliance", "1/unit", .key_unit = "1"},
         {"how many"}};

@@ -224,9 +224,7 @@ void describe_motion(const struct motion *m, FILE *file)
 
 enum status describe_state(const struct run *run, double t, FILE *file)
 {
-    static const struct dataset_column columns[] = {{"", NULL, DATASET_LEFT},
-                                                    {"value", NULL, DATASET_RIGHT},
-                                                    {"unit", NULL, DATASET_LEFT}};
+    static const struct dataset_column columns[] = {{""}, {"value"}, {"unit"}};
     const struct scene *scene = &run->scene;
     struct energy energy = {NAN, NAN, NAN}; /* of a model that has no such energy */
     char caption[64];

@@ -101,7 +101,7 @@ static void tell_contact(struct dataset *t, const struct run *run)
 enum status statics_print(struct run *run, const struct message *told, struct printer *p)
 {
     static const struct dataset_column columns[] = {
-        {"point u,v,w", NULL, DATASET_LEFT, .readers = DATASET_PEOPLE},
+        {"point u,v,w", .readers = DATASET_PEOPLE},
         {"u", .readers = DATASET_MACHINES},
         {"v", .readers = DATASET_MACHINES},
         {"w", .readers = DATASET_MACHINES},

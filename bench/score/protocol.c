@@ -945,10 +945,8 @@ static void add_verdict(void *table, const struct protocol_verdict *v)
 
 static struct dataset *verdicts_of(const struct protocol *p)
 {
-    static const struct dataset_column columns[] = {{"subject", NULL, DATASET_LEFT},
-                                                    {"verdict", NULL, DATASET_LEFT},
-                                                    {"tone", NULL, DATASET_LEFT},
-                                                    {"sentence", NULL, DATASET_LEFT}};
+    static const struct dataset_column columns[] = {
+        {"subject"}, {"verdict"}, {"tone"}, {"sentence"}};
     char title[512];
     int files = 0;
 
@@ -971,12 +969,8 @@ static struct dataset *verdicts_of(const struct protocol *p)
 
 static struct dataset *errors_of(const struct protocol *p)
 {
-    static const struct dataset_column columns[] = {{"file", NULL, DATASET_LEFT},
-                                                    {"vertices"},
-                                                    {"time", "s"},
-                                                    {"error"},
-                                                    {"bar"},
-                                                    {"floor"}};
+    static const struct dataset_column columns[] = {{"file"},  {"vertices"}, {"time", "s"},
+                                                    {"error"}, {"bar"},      {"floor"}};
     struct dataset *t =
         DATASET_OF(columns, "Errors, error bars of the truth, floors of the nets, over the "
                             "length");
@@ -996,11 +990,8 @@ static struct dataset *errors_of(const struct protocol *p)
 /* Lists contestants on each scene and the engine among them. */
 static struct dataset *places_of(const struct protocol *p)
 {
-    static const struct dataset_column columns[] = {{"scene", NULL, DATASET_LEFT},
-                                                    {"place"},
-                                                    {"contestant", NULL, DATASET_LEFT},
-                                                    {"points", NULL, DATASET_LEFT},
-                                                    {"error"}};
+    static const struct dataset_column columns[] = {
+        {"scene"}, {"place"}, {"contestant"}, {"points"}, {"error"}};
     struct dataset *t =
         DATASET_OF(columns, "The best run of each contestant with no more points: error "
                             "over the length at the worst of the same times");
@@ -1023,8 +1014,7 @@ static struct dataset *places_of(const struct protocol *p)
 
 static struct dataset *said_of(const struct protocol *p)
 {
-    static const struct dataset_column columns[] = {{"file", NULL, DATASET_LEFT},
-                                                    {"sentence", NULL, DATASET_LEFT}};
+    static const struct dataset_column columns[] = {{"file"}, {"sentence"}};
     struct dataset *t = DATASET_OF(columns, "What score says of each file");
 
     for (int k = 0; k < p->scenes; k++)

@@ -128,9 +128,7 @@ static void print_verdict(void *last, const struct protocol_verdict *v)
 static enum status print_protocol(const struct protocol *p, struct printer *printer,
                                   struct message *why)
 {
-    static const struct dataset_column columns[] = {{"subject", NULL, DATASET_LEFT},
-                                                    {"verdict", NULL, DATASET_LEFT},
-                                                    {"sentence", NULL, DATASET_LEFT}};
+    static const struct dataset_column columns[] = {{"subject"}, {"verdict"}, {"sentence"}};
     int last = -1;
 
     if (printer->format == TABLE_TEXT) {

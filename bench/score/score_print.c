@@ -11,7 +11,7 @@
 static struct dataset *begin_rows(struct score_print *p)
 {
     static const struct dataset_column columns[] = {
-        {"scene", NULL, DATASET_LEFT},
+        {"scene"},
         {"time", "s", .key = "time"},
         {"error", "% L", .key = "error", .scale = 100, .key_unit = "L"},
         {"bar", "% L", .key = "bar", .scale = 100, .key_unit = "L"},

@@ -134,15 +134,9 @@ static enum status add_rows(struct dataset *t, const struct solid_row *row,
 
 static enum status print_solids(const struct bench *b, struct message *why)
 {
-    static const struct dataset_column columns[] = {{"case", NULL, DATASET_LEFT},
-                                                    {"phase", NULL, DATASET_LEFT},
-                                                    {"median", "ms"},
-                                                    {"min", "ms"},
-                                                    {"lower", "ms"},
-                                                    {"upper", "ms"},
-                                                    {"repeats"},
-                                                    {"aim", "ms"},
-                                                    {"reached", NULL, DATASET_LEFT}};
+    static const struct dataset_column columns[] = {
+        {"case"},        {"phase"},   {"median", "ms"}, {"min", "ms"}, {"lower", "ms"},
+        {"upper", "ms"}, {"repeats"}, {"aim", "ms"},    {"reached"}};
     struct dataset *t = DATASET_OF(columns, "Speed of the solids, one thread");
     enum status st;
 
@@ -210,16 +204,16 @@ static void add_contestant(struct dataset *t, const struct contestant *c,
 static enum status print_contestants(const struct bench *b, struct message *why)
 {
     static const struct dataset_column columns[] = {
-        {"model", NULL, DATASET_LEFT, .key = "title"},
-        {"contestant", NULL, DATASET_LEFT, .readers = DATASET_MACHINES},
-        {"model", NULL, DATASET_LEFT, .readers = DATASET_MACHINES, .key = "model"},
-        {"net", NULL, DATASET_LEFT},
+        {"model", .key = "title"},
+        {"contestant", .readers = DATASET_MACHINES},
+        {"model", .readers = DATASET_MACHINES, .key = "model"},
+        {"net"},
         {"unknowns"},
         {"set-up", "ms"},
         {"a frame", "ms"},
         {"repeats"},
         {"iterations", "a frame", .key = "iterations_a_frame"},
-        {"outcome", NULL, DATASET_LEFT, .readers = DATASET_MACHINES}};
+        {"outcome", .readers = DATASET_MACHINES}};
     struct dataset *t =
         DATASET_OF(columns, "A frame of each contestant, edge_drop to 0.2 s, one thread");
 

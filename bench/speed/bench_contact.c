@@ -260,7 +260,7 @@ static double growth(const struct net *nets, int count, enum what what)
 static enum status print(const struct bench *b, int count, const struct net *nets,
                          struct message *why)
 {
-    static const struct dataset_column columns[] = {{"net", NULL, DATASET_LEFT},
+    static const struct dataset_column columns[] = {{"net"},
                                                     {"feet"},
                                                     {"step", "us"},
                                                     {"kept", "us"},

@@ -204,7 +204,7 @@ static void print_cost(const struct sweep *s)
                100 * p->seconds / (p->wall * p->hands));
     else
         printf("Nothing was left to run.\n");
-    printf("%s: table.csv, seconds.csv, %s%sa file a case; clothbench report %s draws "
+    printf("%s: table.csv, %s%sa file a case; clothbench report %s draws "
            "them.\n",
            s->folder.path, s->plan.falls.along ? "falls.csv, " : "",
            s->plan.map.x ? "map.csv, " : "", s->folder.path);

@@ -3,7 +3,7 @@
  *
  *     plan --> cases --> pool of processes --> a file a case in the folder (sweep_folder.c)
  *                                                            |
- *     table.csv, seconds.csv, falls.csv, map.csv, summary <-- rows in memory (sweep_rows.c)
+ *     table.csv, falls.csv, map.csv, summary <-- rows in memory (sweep_rows.c)
  */
 #ifndef SWEEP_H
 #define SWEEP_H
@@ -22,7 +22,7 @@
  *                      both are sealed and have the case's key (measurement.h): a damaged
  *                      one, and one with another key, is run again
  *   lock               held while a sweep is at work
- *   table.csv, seconds.csv, falls.csv, map.csv      made from the cases in the end
+ *   table.csv, falls.csv, map.csv      made from the cases in the end
  *
  * Other files in the folder are left alone. A link that stands where one of these is to be
  * written is replaced; its target is left alone, too.
@@ -81,8 +81,7 @@ struct sweep_row {
     enum sweep_state state;
     enum status outcome;    /* of a run                                                */
     double value[MEASURES]; /* NaN unless it ran                                       */
-    double create_seconds, step_seconds, look_seconds; /* NaN unless it ran            */
-    struct ruling verdict; /* by the plan's rules                                    */
+    struct ruling verdict;  /* by the plan's rules                                    */
     char *label; /* "feasible", "died", ..., "no result", "run again"           owned */
     char *why;   /* how it ended, or why there is nothing                       owned */
 };
@@ -114,9 +113,8 @@ enum status sweep_rows_check(const struct plan *plan, struct message *why);
 enum status sweep_rows_read(struct sweep_rows *rows, const struct plan *plan,
                             const struct sweep_folder *folder);
 
-/* Writes FOLDER/table.csv, every key and measure to 17 digits, verdict, labels and end, and
- * FOLDER/seconds.csv, which stands apart so that the table is the same bits however it came
- * about. STATUS_FILE, STATUS_MEMORY. */
+/* Writes FOLDER/table.csv, every key and measure to 17 digits, verdict, labels and end:
+ * the same bits however it came about. STATUS_FILE, STATUS_MEMORY. */
 enum status sweep_rows_save(const struct sweep_rows *rows, const char *folder,
                             struct message *why);
 

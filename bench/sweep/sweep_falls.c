@@ -19,7 +19,7 @@ static enum status create_table(struct sweep_falls *f, const struct plan *plan,
     if (columns && f->keys) {
         for (int n = 0; n < study->axis_count; n++)
             if (&study->axis[n] != along)
-                *c++ = (struct dataset_column){study->axis[n].name, .align = DATASET_LEFT,
+                *c++ = (struct dataset_column){study->axis[n].name,
                                                .key = study->axis[n].name};
         for (int n = 0; n < along->count; n++) {
             char *key = f->keys + n * KEY;
@@ -27,7 +27,7 @@ static enum status create_table(struct sweep_falls *f, const struct plan *plan,
             *c++ = (struct dataset_column){along->levels[n].label, .key = key};
         }
         *c++ = (struct dataset_column){"may grow by", .key = "by"};
-        *c++ = (struct dataset_column){"grows at", .align = DATASET_LEFT};
+        *c++ = (struct dataset_column){"grows at"};
         snprintf(caption, sizeof caption, "%s along %s", measure_name(plan->falls.measure),
                  plan->falls.along);
         f->table = dataset_create((int)(c - columns), columns, caption);

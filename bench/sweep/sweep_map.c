@@ -130,11 +130,8 @@ enum status sweep_map(const struct sweep_rows *rows, const char *folder,
                                    find_dimension(plan, plan->map.panel)};
     for (int k = 0; k < 2; k++)
         write_title(&d[k], title[k]);
-    const struct dataset_column columns[] = {{"panel", NULL, DATASET_LEFT},
-                                             {"label", NULL, DATASET_LEFT},
-                                             {"x", .key = title[0]},
-                                             {"y", .key = title[1]},
-                                             {"mark", NULL, DATASET_LEFT}};
+    const struct dataset_column columns[] = {
+        {"panel"}, {"label"}, {"x", .key = title[0]}, {"y", .key = title[1]}, {"mark"}};
     t = DATASET_OF(columns, NULL);
     for (long n = 0; n < rows->count; n++) {
         struct plan_case c = {0};

@@ -39,9 +39,6 @@ enum status sweep_rows_set(struct sweep_rows *rows, long number, enum sweep_stat
     clear_row(row);
     *row = (struct sweep_row){.state = state,
                               .outcome = ran ? result->outcome : STATUS_OK,
-                              .create_seconds = ran ? result->create_seconds : NAN,
-                              .step_seconds = ran ? result->step_seconds : NAN,
-                              .look_seconds = ran ? result->look_seconds : NAN,
                               .verdict = {.kind = VERDICT_NONE}};
     for (int n = 0; n < MEASURES; n++)
         row->value[n] = ran ? result->value[n] : NAN;
@@ -228,37 +225,21 @@ static void add_case(struct dataset *t, const struct plan *plan, const struct pl
     dataset_add(t, "%s|%s|%s", verdict_word(row->verdict.kind), row->label, row->why);
 }
 
-static void add_seconds(struct dataset *t, long number, const struct sweep_row *row)
-{
-    if (row->state != SWEEP_RAN)
-        return;
-    dataset_line(t, "%ld|%.6g|%.6g|%.6g", number + 1, row->create_seconds,
-                 row->step_seconds, row->look_seconds);
-}
-
 enum status sweep_rows_save(const struct sweep_rows *rows, const char *folder,
                             struct message *why)
 {
-    static const struct dataset_column columns[] = {{"number"},
-                                                    {"create", "s", .key = "create"},
-                                                    {"steps", "s", .key = "steps"},
-                                                    {"looks", "s", .key = "looks"}};
     struct dataset *t = create_table(rows->plan);
-    struct dataset *seconds = DATASET_OF(columns, NULL);
     struct plan_case c;
     enum status st;
 
     for (long n = 0; n < rows->count; n++) {
         TRY(plan_case_given(rows->plan, n, &c));
         add_case(t, rows->plan, &c, &rows->row[n]);
-        add_seconds(seconds, n, &rows->row[n]);
         plan_case_clear(&c);
     }
-    TRY(printer_save(t, folder, "table", why));
-    st = printer_save(seconds, folder, "seconds", why);
+    st = printer_save(t, folder, "table", why);
 out:
     dataset_destroy(t);
-    dataset_destroy(seconds);
     return st;
 }
 

@@ -251,8 +251,8 @@ out:
 
 enum status truth_print_all(struct printer *p, struct message *why)
 {
-    static const struct dataset_column heads[] = {{"scene", NULL, DATASET_LEFT},
-                                                  {"truth", NULL, DATASET_LEFT},
+    static const struct dataset_column heads[] = {{"scene"},
+                                                  {"truth"},
                                                   {"known to", "s", .key = "known_to_s"},
                                                   {"error bar there", "% L",
                                                    .key = "error_bar_over_length",

@@ -48,17 +48,16 @@ enum { TIME_LIMIT = 120 };
 #define TEXTS(X) X(0, quantity) X(1, subject) X(11, note) X(14, changed) X(15, name)
 enum { VERDICT = 8, COLUMNS = 16 };
 
-#define WORDS NULL, DATASET_LEFT
-#define ASIDE WORDS, .readers = DATASET_MACHINES
-static const struct dataset_column columns[COLUMNS] = {{"quantity", WORDS},
-                                                       {"model", WORDS},
+#define ASIDE .readers = DATASET_MACHINES
+static const struct dataset_column columns[COLUMNS] = {{"quantity"},
+                                                       {"model"},
                                                        {"value"},
                                                        {"truth"},
                                                        {"error bar"},
                                                        {"error"},
                                                        {"tolerance"},
                                                        {"order"},
-                                                       {"verdict", WORDS},
+                                                       {"verdict"},
                                                        {"time", "s"},
                                                        {"until", "s"},
                                                        {"remark", ASIDE},
@@ -422,9 +421,8 @@ static void add_tally(struct dataset *t, const char *name, const struct verify_s
 static enum status print_summary(const struct job *job, struct message *why)
 {
     enum { HEADS = VERDICT_DIED - VERDICT_MET + 4 };
-    struct dataset_column heads[HEADS] = {{job->set->item, NULL, DATASET_LEFT},
-                                          [HEADS - 2] = {"rows"},
-                                          [HEADS - 1] = {"time", "s"}};
+    struct dataset_column heads[HEADS] = {
+        {job->set->item}, [HEADS - 2] = {"rows"}, [HEADS - 1] = {"time", "s"}};
     long claims = 0, changed = 0; /* tested claims; those changed after a result */
 
     for (enum verdict v = VERDICT_MET; v <= VERDICT_DIED; v++)

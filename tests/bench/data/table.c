@@ -10,9 +10,9 @@
 
 /* One set of columns for people and for machines. */
 static const struct dataset_column columns[] = {
-    {"case_1", NULL, DATASET_LEFT},
+    {"case_1"},
     {"a frame", "ms", .key = "frame_s", .key_unit = "s", .scale = 1e3},
-    {"net", NULL, DATASET_LEFT, .readers = DATASET_PEOPLE},
+    {"net", .readers = DATASET_PEOPLE},
     {"to next", "% L", .scale = 100, .key = "to_next_over_length", .key_unit = "1"},
     {"p", .readers = DATASET_MACHINES},
     {"unknowns"}};
@@ -160,7 +160,7 @@ static void check_failures_told(void)
 /* A table wider than a line is in parts, each with the columns that tell rows apart. */
 static void check_wide(void)
 {
-    struct dataset_column wide[20] = {{"name", NULL, DATASET_LEFT}, {"net"}};
+    struct dataset_column wide[20] = {{"name"}, {"net"}};
     char names[18][24];
     struct said s;
 
@@ -224,7 +224,7 @@ static void check_sentences(void)
 /* The last words of a line are wrapped: no line is longer than 120 columns. */
 static void check_wrapped(void)
 {
-    static const struct dataset_column two[] = {{"a"}, {"words", NULL, DATASET_LEFT}};
+    static const struct dataset_column two[] = {{"a"}, {"words"}};
     char words[400] = "", text[2000] = "";
     struct dataset *t = dataset_create(2, two, NULL);
     FILE *file = fmemopen(text, sizeof text, "w");

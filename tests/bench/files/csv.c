@@ -47,8 +47,7 @@ static void check_tables(void)
 /* A table and a sentence, neither of them printed, as the report finds them. */
 static void check_kept(void)
 {
-    static const struct dataset_column columns[] = {{"what", NULL, DATASET_LEFT},
-                                                    {"x", "m"}};
+    static const struct dataset_column columns[] = {{"what"}, {"x", "m"}};
     struct printer p = {TABLE_TEXT};
     struct kept *kept = NULL;
     struct csv csv = {0};

@@ -13,6 +13,10 @@
 #include "bench/harness/derived_key.h"
 #include "bench/harness/measures.h"
 
+/* All that a plan has lies in its arena. What a schema fills begins with the pointer to it.
+ */
+#define ARENA_OF(target) (*(struct arena **)(target))
+
 #define IN(type, member) .offset = offsetof(struct type, member)
 #define ANY              .low = -1e30, .high = 1e30
 
@@ -49,24 +53,13 @@ static void write_flow(const struct yaml_tree *node, FILE *text)
     fputc(list ? ']' : '}', text);
 }
 
-static enum status add_text(struct plan_settings *settings, const char *key,
-                            const char *value, int line)
+static void add_text(struct arena *a, struct plan_settings *settings, const char *key,
+                     const char *value, int line)
 {
-    struct plan_setting *grown =
-        realloc(settings->list, ((size_t)settings->count + 1) * sizeof *grown);
-
-    if (!grown)
-        return STATUS_MEMORY;
-    settings->list = grown;
-    grown += settings->count;
-    *grown = (struct plan_setting){strdup(key), strdup(value), line};
-    if (!grown->key || !grown->value) {
-        free(grown->key);
-        free(grown->value);
-        return STATUS_MEMORY;
-    }
-    settings->count++;
-    return STATUS_OK;
+    settings->list =
+        arena_more(a, settings->list, (size_t)settings->count, sizeof *settings->list);
+    settings->list[settings->count++] =
+        (struct plan_setting){arena_print(a, "%s", key), arena_print(a, "%s", value), line};
 }
 
 /* Refuses a key that --set KEY=VALUE would read otherwise. */
@@ -87,8 +80,9 @@ static bool is_name(const char *key)
 }
 
 /* Adds a key with the value that `node` has. */
-static enum status add_value(struct plan_settings *settings, const char *key,
-                             const struct yaml_tree *node, struct message *why)
+static enum status add_value(struct arena *a, struct plan_settings *settings,
+                             const char *key, const struct yaml_tree *node,
+                             struct message *why)
 {
     enum status st;
     char *value = NULL;
@@ -98,19 +92,50 @@ static enum status add_value(struct plan_settings *settings, const char *key,
     TRY(check_key(key, node, why));
     text = open_memstream(&value, &size);
     if (!text)
-        return STATUS_MEMORY;
+        arena_end();
     if (node->kind == YAML_TREE_SCALAR && is_name(key))
         write_scalar(node->text, false, text);
     else
         write_flow(node, text);
     if (fclose(text) != 0)
-        TRY(STATUS_MEMORY);
+        arena_end();
     if (!size || strpbrk(value, "\r\n"))
-        TRY(yaml_tree_refuse(node, why, "%s is %s, but must be a value in one line",
-                             yaml_tree_quote(key).text, yaml_tree_describe(node).text));
-    TRY(add_text(settings, key, value, node->line));
-out:
+        st = yaml_tree_refuse(node, why, "%s is %s, but must be a value in one line",
+                              yaml_tree_quote(key).text, yaml_tree_describe(node).text);
+    else
+        add_text(a, settings, key, value, node->line);
     free(value);
+out:
+    return st;
+}
+
+/* Hands over to the arena what the schema has allocated of a key. */
+static void keep(const struct schema_key *key, void *target)
+{
+    void **owned = (void *)((char *)target + key->offset);
+
+    for (const struct schema_key *k = key->keys; key->type == SCHEMA_SECTION && k->key; k++)
+        keep(k, target);
+    if ((key->type == SCHEMA_TEXT || key->type == SCHEMA_NUMBERS) && *owned)
+        arena_keep(ARENA_OF(target), *owned);
+}
+
+static enum status read_value(const struct schema_key *key, const struct yaml_tree *node,
+                              void *target, struct message *why)
+{
+    const enum status st = schema_value(key, node, target, why);
+
+    keep(key, target);
+    return st;
+}
+
+static enum status read_table(const struct schema_key *keys, const struct yaml_tree *node,
+                              const char *what, void *target, struct message *why)
+{
+    const enum status st = schema_read(keys, node, what, target, why);
+
+    for (; keys->key; keys++)
+        keep(keys, target);
     return st;
 }
 
@@ -135,8 +160,8 @@ static enum status read_mixed(const struct schema_key *keys, const struct yaml_t
                                 what, yaml_tree_describe(node).text);
     for (const struct yaml_tree *child = node->first; child; child = child->next) {
         const struct schema_key *key = find_key(keys, child->key);
-        TRY(key ? schema_value(key, child, target, why)
-                : add_value(settings, child->key, child, why));
+        TRY(key ? read_value(key, child, target, why)
+                : add_value(ARENA_OF(target), settings, child->key, child, why));
     }
 out:
     return st;
@@ -146,7 +171,7 @@ out:
 static enum status read_map(const struct schema_key *key, const struct yaml_tree *node,
                             void *target, struct message *why)
 {
-    return read_mixed(&(struct schema_key){NULL}, node, key->key, NULL,
+    return read_mixed(&(struct schema_key){NULL}, node, key->key, target,
                       (void *)((char *)target + key->offset), why);
 }
 
@@ -156,26 +181,28 @@ static enum status read_name(const struct schema_key *key, const struct yaml_tre
 {
     if (node->kind != YAML_TREE_SCALAR || !*node->text)
         return schema_refuse(key, node, why);
-    return add_value((void *)((char *)target + key->offset), key->key, node, why);
+    return add_value(ARENA_OF(target), (void *)((char *)target + key->offset), key->key,
+                     node, why);
 }
 
-/* Reads a list of key->low to key->most things of so many bytes, all-zero before; *count
- * has what was begun, on failure, too. The list is freed by the receiver; *st says why it
- * is not whole. */
+/* Reads a list of key->low to key->most things of so many bytes, all-zero before but for
+ * the arena; *count has what was begun. *st says why it is not whole. */
 static void *read_list(const struct schema_key *key, const struct yaml_tree *node,
-                       size_t size, int *count,
+                       struct arena *arena, size_t size, int *count,
                        enum status read(const struct yaml_tree *node, void *element,
                                         struct message *why),
                        enum status *st, struct message *why)
 {
-    char *list = NULL;
+    char *list = arena_take(arena, (size_t)node->count + 1, size);
 
-    if (node->kind != YAML_TREE_LIST || node->count < key->low || node->count > key->most)
-        *st = schema_refuse(key, node, why);
-    else
-        *st = (list = calloc((size_t)node->count + 1, size)) ? STATUS_OK : STATUS_MEMORY;
-    for (const struct yaml_tree *n = node->first; n && *st == STATUS_OK; n = n->next)
-        *st = read(n, list + size * (size_t)(*count)++, why);
+    *st = node->kind != YAML_TREE_LIST || node->count < key->low || node->count > key->most
+              ? schema_refuse(key, node, why)
+              : STATUS_OK;
+    for (const struct yaml_tree *n = node->first; n && *st == STATUS_OK; n = n->next) {
+        void *element = list + size * (size_t)(*count)++;
+        ARENA_OF(element) = arena;
+        *st = read(n, element, why);
+    }
     return list;
 }
 
@@ -188,16 +215,6 @@ const struct plan_setting *plan_settings_find(const struct plan_settings *settin
     return NULL;
 }
 
-static void clear_settings(struct plan_settings *settings)
-{
-    for (int n = 0; n < settings->count; n++) {
-        free(settings->list[n].key);
-        free(settings->list[n].value);
-    }
-    free(settings->list);
-    *settings = (struct plan_settings){0};
-}
-
 /* Defines the reader of a list into the members `list` and `count` of a `type` at
  * key->offset, whose elements `one` reads. */
 #define LIST_READER(name, type, list, count, one)                                          \
@@ -206,7 +223,8 @@ static void clear_settings(struct plan_settings *settings)
     {                                                                                      \
         struct type *to = (void *)((char *)target + key->offset);                          \
         enum status st;                                                                    \
-        to->list = read_list(key, node, sizeof *to->list, &to->count, one, &st, why);      \
+        to->list = read_list(key, node, ARENA_OF(target), sizeof *to->list, &to->count,    \
+                             one, &st, why);                                               \
         return st;                                                                         \
     }
 #define WITH_MAP   SCHEMA_SPECIAL, .read = read_map, .want = "a map {KEY: VALUE, ...}"
@@ -259,40 +277,35 @@ static const struct schema_key AXIS_KEYS[] = {
 /* clang-format on */
 
 /* Makes a name of a label: "10x10x2, p = 2" becomes "10x10x2_p_2". */
-static char *make_name(const char *label)
+static char *make_name(struct arena *a, const char *label)
 {
-    char *name = strdup(label);
+    char *name = arena_print(a, "%s", label);
     size_t used = 0;
 
-    for (const char *c = label; name && *c; c++)
+    for (const char *c = label; *c; c++)
         if (isalnum((unsigned char)*c))
             name[used++] = (char)tolower((unsigned char)*c);
         else if (used && name[used - 1] != '_')
             name[used++] = '_';
-    if (name)
-        name[used] = '\0';
+    name[used] = '\0';
     return name;
 }
 
-/* Adds a level to an axis, which has room for it. NULL: out of memory. */
-static struct plan_level *add_level(struct plan_axis *axis, const char *label, int line)
+/* Adds a level to an axis. */
+static struct plan_level *add_level(struct arena *a, struct plan_axis *axis,
+                                    const char *label, int line)
 {
+    axis->levels = arena_more(a, axis->levels, (size_t)axis->count, sizeof *axis->levels);
     struct plan_level *level = &axis->levels[axis->count++];
 
-    *level = (struct plan_level){
-        .label = strdup(label), .paper_ms = NAN, .timed = -1, .line = line};
-    return level->label ? level : NULL;
-}
-
-static enum status make_room(struct plan_axis *axis, int count)
-{
-    axis->levels = calloc((size_t)count + 1, sizeof *axis->levels);
-    return axis->levels ? STATUS_OK : STATUS_MEMORY;
+    *level = (struct plan_level){a, .label = arena_print(a, "%s", label), .paper_ms = NAN,
+                                 .timed = -1, .line = line};
+    return level;
 }
 
 /* Adds the values of a map {from: ..., to: ..., count: ...}. */
-static enum status fill_range(struct plan_axis *axis, const struct yaml_tree *node,
-                              struct message *why)
+static enum status fill_range(struct arena *a, struct plan_axis *axis,
+                              const struct yaml_tree *node, struct message *why)
 {
     struct range r = {.scale = 0};
     enum status st;
@@ -303,7 +316,6 @@ static enum status fill_range(struct plan_axis *axis, const struct yaml_tree *no
                              "the axis %s goes from %g to %g on a log scale, but both "
                              "must be above 0",
                              yaml_tree_quote(axis->name).text, r.from, r.to));
-    TRY(make_room(axis, r.count));
     for (int n = 0; n < r.count; n++) {
         const double share = (double)n / (r.count - 1);
         double value =
@@ -312,44 +324,42 @@ static enum status fill_range(struct plan_axis *axis, const struct yaml_tree *no
 
         value = n == r.count - 1 ? r.to : value;
         snprintf(text, sizeof text, "%.*g", output_digits(value), value);
-        struct plan_level *level = add_level(axis, text, axis->line);
-        TRY(level ? add_text(&level->settings, axis->name, text, axis->line)
-                  : STATUS_MEMORY);
+        add_text(a, &add_level(a, axis, text, axis->line)->settings, axis->name, text,
+                 axis->line);
     }
 out:
     return st;
 }
 
 /* Adds listed values of the key that the axis is called by. */
-static enum status fill_values(struct plan_axis *axis, const struct yaml_tree *values,
-                               struct message *why)
+static enum status fill_values(struct arena *a, struct plan_axis *axis,
+                               const struct yaml_tree *values, struct message *why)
 {
-    enum status st;
+    enum status st = STATUS_OK;
 
-    TRY(make_room(axis, values->count));
     for (const struct yaml_tree *v = values->first; v; v = v->next) {
-        struct plan_level *level = add_level(axis, "", v->line);
-        TRY(level ? add_value(&level->settings, axis->name, v, why) : STATUS_MEMORY);
-        free(level->label);
-        level->label = strdup(v->text ? v->text : level->settings.list->value);
-        TRY(level->label ? STATUS_OK : STATUS_MEMORY);
+        struct plan_level *level = add_level(a, axis, "", v->line);
+        TRY(add_value(a, &level->settings, axis->name, v, why));
+        level->label =
+            arena_print(a, "%s", v->text ? v->text : level->settings.list->value);
     }
 out:
     return st;
 }
 
-static enum status fill_labels(struct plan_axis *axis, const struct yaml_tree *node,
-                               struct message *why)
+static enum status fill_labels(struct arena *a, struct plan_axis *axis,
+                               const struct yaml_tree *node, struct message *why)
 {
     static const struct schema_key label = {"a label", .type = SCHEMA_TEXT};
-    enum status st;
+    enum status st = STATUS_OK;
 
-    TRY(make_room(axis, node->count));
     for (const struct yaml_tree *v = node->first; v; v = v->next) {
-        struct plan_level *level = add_level(axis, "", v->line);
+        struct plan_level *level = add_level(a, axis, v->key, v->line);
         const struct yaml_tree text = {
             .kind = YAML_TREE_SCALAR, .text = v->key, .origin = v->origin, .line = v->line};
-        TRY(level ? schema_text(&label, &text, &level->label, why) : STATUS_MEMORY);
+        char *good = NULL;
+        TRY(schema_text(&label, &text, &good, why));
+        free(good);
         TRY(read_mixed(LEVEL, v, v->key, level, &level->settings, why));
     }
 out:
@@ -358,15 +368,14 @@ out:
 
 /* Reads an axis: [VALUE, ...] or a range of the key that it is called by, or
  * {LABEL: {KEY: VALUE}}. */
-static enum status read_axis(const struct yaml_tree *node, struct plan_axis *axis,
-                             struct message *why)
+static enum status read_axis(struct arena *a, const struct yaml_tree *node,
+                             struct plan_axis *axis, struct message *why)
 {
     const bool list = node->kind == YAML_TREE_LIST;
     enum status st;
 
     axis->line = node->line;
-    axis->name = strdup(node->key);
-    TRY(axis->name ? STATUS_OK : STATUS_MEMORY);
+    axis->name = arena_print(a, "%s", node->key);
     TRY(check_key(axis->name, node, why));
     if (node->kind == YAML_TREE_SCALAR || !node->count || node->count > PLAN_AXIS_MOST)
         TRY(yaml_tree_refuse(node, why,
@@ -374,15 +383,12 @@ static enum status read_axis(const struct yaml_tree *node, struct plan_axis *axi
                              "{from: ..., to: ..., count: ...} or {LABEL: {KEY: VALUE}}",
                              yaml_tree_quote(axis->name).text,
                              yaml_tree_describe(node).text));
-    st = list                           ? fill_values(axis, node, why)
-         : yaml_tree_find(node, "from") ? fill_range(axis, node, why)
-                                        : fill_labels(axis, node, why);
-    for (int n = 0; st == STATUS_OK && n < axis->count; n++) {
-        struct plan_level *level = &axis->levels[n];
-        if (!level->name)
-            level->name = make_name(level->label);
-        st = level->name ? STATUS_OK : STATUS_MEMORY;
-    }
+    st = list                           ? fill_values(a, axis, node, why)
+         : yaml_tree_find(node, "from") ? fill_range(a, axis, node, why)
+                                        : fill_labels(a, axis, node, why);
+    for (int n = 0; n < axis->count; n++)
+        if (!axis->levels[n].name)
+            axis->levels[n].name = make_name(a, axis->levels[n].label);
 out:
     return st;
 }
@@ -397,7 +403,7 @@ static enum status read_axes(const struct schema_key *key, const struct yaml_tre
         return schema_refuse(key, node, why);
     for (const struct yaml_tree *n = node->first; n && st == STATUS_OK; n = n->next)
         if (n->count) /* else it takes the plan's away */
-            st = read_axis(n, &study->axis[study->axis_count++], why);
+            st = read_axis(ARENA_OF(target), n, &study->axis[study->axis_count++], why);
     return st;
 }
 
@@ -451,13 +457,12 @@ static enum status read_studies(const struct schema_key *key, const struct yaml_
 
     if (node->kind != YAML_TREE_MAP || node->count < 1)
         return schema_refuse(key, node, why);
-    plan->studies = calloc((size_t)node->count, sizeof *plan->studies);
-    TRY(plan->studies ? STATUS_OK : STATUS_MEMORY);
+    plan->studies = arena_take(plan->arena, (size_t)node->count, sizeof *plan->studies);
     for (const struct yaml_tree *n = node->first; n; n = n->next) {
         struct plan_study *study = &plan->studies[plan->study_count++];
         *study =
-            (struct plan_study){.name = strdup(n->key), .line = n->line, .time_count = -1};
-        TRY(study->name ? STATUS_OK : STATUS_MEMORY);
+            (struct plan_study){plan->arena, .name = arena_print(plan->arena, "%s", n->key),
+                                .line = n->line, .time_count = -1};
         TRY(read_mixed(STUDY, n, n->key, study, &study->settings, why));
     }
 out:
@@ -479,13 +484,13 @@ static enum status read_labels(const struct schema_key *keys, const struct yaml_
         const bool list = axis->kind == YAML_TREE_LIST;
         const struct schema_key *key = find_key(keys, axis->key);
         if (key)
-            TRY(schema_value(key, axis, target, why));
+            TRY(read_value(key, axis, target, why));
         for (const struct yaml_tree *n = list ? axis->first : axis; n && !key;
              n = list ? n->next : NULL) {
             if (!n->text)
                 return yaml_tree_refuse(n, why, "%s is %s, but must be a label of the axis",
                                         axis->key, yaml_tree_describe(n).text);
-            TRY(add_text(labels, axis->key, n->text, n->line));
+            add_text(ARENA_OF(target), labels, axis->key, n->text, n->line);
         }
     }
 out:
@@ -512,7 +517,7 @@ LIST_READER(read_products, plan_products, list, count, read_product)
 static enum status read_chosen(const struct schema_key *key, const struct yaml_tree *node,
                                void *target, struct message *why)
 {
-    return read_labels(NONE, node, NULL, (void *)((char *)target + key->offset), why);
+    return read_labels(NONE, node, target, (void *)((char *)target + key->offset), why);
 }
 
 static enum status read_words(const struct schema_key *key, const struct yaml_tree *node,
@@ -524,8 +529,10 @@ static enum status read_words(const struct schema_key *key, const struct yaml_tr
     if (node->kind != YAML_TREE_LIST || node->count < 1 || node->count > key->most)
         return schema_refuse(key, node, why);
     for (const struct yaml_tree *n = node->first; n && st == STATUS_OK; n = n->next)
-        st =
-            n->text ? add_text(words, n->text, "", n->line) : schema_refuse(key, node, why);
+        if (n->text)
+            add_text(ARENA_OF(target), words, n->text, "", n->line);
+        else
+            st = schema_refuse(key, node, why);
     return st;
 }
 
@@ -544,12 +551,12 @@ static enum status read_readings(const struct schema_key *key, const struct yaml
 
     if (node->kind != YAML_TREE_MAP || node->count < 1 || node->count > PLAN_READINGS)
         return schema_refuse(key, node, why);
-    s->readings = calloc((size_t)node->count, sizeof *s->readings);
-    TRY(s->readings ? STATUS_OK : STATUS_MEMORY);
+    s->readings = arena_take(ARENA_OF(target), (size_t)node->count, sizeof *s->readings);
     for (const struct yaml_tree *n = node->first; n; n = n->next) {
         struct plan_reading *r = &s->readings[s->reading_count++];
-        r->name = strdup(n->key);
-        TRY(r->name ? read_labels(READING, n, r, &r->rows, why) : STATUS_MEMORY);
+        r->arena = ARENA_OF(target);
+        r->name = arena_print(r->arena, "%s", n->key);
+        TRY(read_labels(READING, n, r, &r->rows, why));
     }
 out:
     return st;
@@ -568,10 +575,11 @@ static enum status read_compared(const struct schema_key *key, const struct yaml
         return schema_refuse(key, node, why);
     for (const struct yaml_tree *n = node->first; n && st == STATUS_OK; n = n->next)
         if (n->kind == YAML_TREE_MAP && rows < 2 - s->exponent)
-            st = read_labels(NONE, n, NULL, &s->row[rows++], why);
+            st = read_labels(NONE, n, s, &s->row[rows++], why);
+        else if (n->text && !rows)
+            add_text(s->arena, &s->quantity, n->text, "", n->line);
         else
-            st = n->text && !rows ? add_text(&s->quantity, n->text, "", n->line)
-                                  : schema_refuse(key, n, why);
+            st = schema_refuse(key, n, why);
     return st == STATUS_OK && rows != 2 - s->exponent ? schema_refuse(key, node, why) : st;
 }
 
@@ -601,7 +609,7 @@ static enum status read_statement(const struct yaml_tree *node, void *target,
     enum status st;
 
     s->line = node->line;
-    TRY(schema_read(STATEMENT, node, "a statement", s, why));
+    TRY(read_table(STATEMENT, node, "a statement", s, why));
     if (s->quantity.count != 1 + s->exponent)
         st = yaml_tree_refuse(node, why, "a statement is either a ratio or an exponent");
 out:
@@ -694,7 +702,7 @@ static enum status read_mark(const struct yaml_tree *node, void *target,
     struct plan_mark *mark = target;
 
     mark->line = node->line;
-    return schema_read(MARK, node, "a mark", mark, why);
+    return read_table(MARK, node, "a mark", mark, why);
 }
 
 LIST_READER(read_marks, plan_map, marks, mark_count, read_mark)
@@ -826,15 +834,6 @@ int plan_level_with(const struct plan_study *study, const struct plan_level *lev
     return -1;
 }
 
-static void clear_level(struct plan_level *level)
-{
-    free(level->label);
-    free(level->name);
-    clear_settings(&level->settings);
-    clear_settings(&level->quick);
-    *level = (struct plan_level){0};
-}
-
 /* Returns whether a level of a study is among these products. */
 static bool is_among(const struct plan_product *product, const struct plan_study *study,
                      const struct plan_level *level)
@@ -854,27 +853,13 @@ static bool is_among(const struct plan_product *product, const struct plan_study
     return true;
 }
 
-/* Joins the labels of a product's parts, or their names. */
-static char *join(const struct plan_level *product, bool names)
+/* Makes the product of one level of each axis, the last axis changing fastest: its label
+ * and name are theirs, joined. */
+static void multiply(const struct plan_study *study, int number, struct plan_level *product)
 {
-    char *text = NULL;
-    size_t size;
-    FILE *file = open_memstream(&text, &size);
+    char label[4096] = "", name[4096] = "";
 
-    for (int n = 0; file && n < PLAN_STUDY_AXES && product->part[n]; n++)
-        fprintf(file, "%s%s",
-                !n      ? ""
-                : names ? "_"
-                        : ", ",
-                names ? product->part[n]->name : product->part[n]->label);
-    return file && fclose(file) == 0 ? text : NULL;
-}
-
-/* Makes the product of one level of each axis, the last axis changing fastest. */
-static enum status multiply(const struct plan_study *study, int number,
-                            struct plan_level *product)
-{
-    *product = (struct plan_level){.paper_ms = NAN, .timed = -1};
+    *product = (struct plan_level){study->arena, .paper_ms = NAN, .timed = -1};
     for (int n = study->axis_count - 1; n >= 0; n--) {
         product->part[n] = &study->axis[n].levels[number % study->axis[n].count];
         number /= study->axis[n].count;
@@ -886,10 +871,11 @@ static enum status multiply(const struct plan_study *study, int number,
         product->timed = level->timed >= 0 ? level->timed : product->timed;
         product->paper_ms = isnan(level->paper_ms) ? product->paper_ms : level->paper_ms;
         product->phases |= level->phases;
+        TEXT_JOIN(label, ", ", "%s", level->label);
+        TEXT_JOIN(name, "_", "%s", level->name);
     }
-    product->label = join(product, false);
-    product->name = join(product, true);
-    return product->label && product->name ? STATUS_OK : STATUS_MEMORY;
+    product->label = arena_print(study->arena, "%s", label);
+    product->name = arena_print(study->arena, "%s", name);
 }
 
 /* Makes the levels of a study. */
@@ -897,7 +883,6 @@ static enum status multiply_all(struct plan_study *study, const struct plan *pla
                                 struct message *why)
 {
     double all = 1;
-    enum status st = STATUS_OK;
 
     for (int n = 0; n < study->axis_count; n++)
         all *= study->axis[n].count;
@@ -905,12 +890,11 @@ static enum status multiply_all(struct plan_study *study, const struct plan *pla
         return plan_case_refuse(plan, study->line, why,
                                 "the plan has more than %d cases, the most there may be",
                                 PLAN_MAX_CASES);
-    study->levels = calloc((size_t)all, sizeof *study->levels);
-    TRY(study->levels ? STATUS_OK : STATUS_MEMORY);
+    study->levels = arena_take(study->arena, (size_t)all, sizeof *study->levels);
     for (int n = 0; n < (int)all; n++) {
         struct plan_level *level = &study->levels[study->level_count++];
         bool gone = false;
-        TRY(multiply(study, n, level));
+        multiply(study, n, level);
         for (int k = 0; k < plan->skip.count; k++)
             if (is_among(&plan->skip.list[k], study, level)) {
                 level->slow |= plan->skip.list[k].quick;
@@ -919,23 +903,9 @@ static enum status multiply_all(struct plan_study *study, const struct plan *pla
         for (int k = 0; k < plan->paper.count; k++)
             if (is_among(&plan->paper.list[k], study, level))
                 level->paper_ms = plan->paper.list[k].paper_ms;
-        if (gone)
-            clear_level(&study->levels[--study->level_count]);
+        study->level_count -= gone;
     }
-out:
-    return st;
-}
-
-static void clear_axes(struct plan_study *study)
-{
-    for (int n = 0; n < study->axis_count; n++) {
-        for (int k = 0; k < study->axis[n].count; k++)
-            clear_level(&study->axis[n].levels[k]);
-        free(study->axis[n].levels);
-        free(study->axis[n].name);
-        study->axis[n] = (struct plan_axis){0};
-    }
-    study->axis_count = 0;
+    return STATUS_OK;
 }
 
 /* Reads the axes of a study: its own, and the plan's in whose place it has no other. */
@@ -945,7 +915,8 @@ static enum status join_axes(struct plan_study *study, const struct yaml_tree *p
     const struct yaml_tree *first = own ? own->first : NULL;
     enum status st = STATUS_OK;
 
-    clear_axes(study);
+    study->axis_count = 0;
+    memset(study->axis, 0, sizeof study->axis);
     for (int k = 0; k < 2; k++) /* own ones that the plan has not, then the plan's */
         for (const struct yaml_tree *n = k ? plans->first : first; n; n = n->next) {
             const struct yaml_tree *other = yaml_tree_find(k ? own : plans, n->key);
@@ -954,7 +925,8 @@ static enum status join_axes(struct plan_study *study, const struct yaml_tree *p
             if (study->axis_count == PLAN_STUDY_AXES)
                 return yaml_tree_refuse(n, why, "%s has more than %d axes", study->name,
                                         PLAN_STUDY_AXES);
-            TRY(read_axis(other ? other : n, &study->axis[study->axis_count++], why));
+            TRY(read_axis(study->arena, other ? other : n,
+                          &study->axis[study->axis_count++], why));
         }
 out:
     return st;
@@ -976,7 +948,7 @@ static enum status complete(struct plan_study *study, const struct yaml_tree *ro
         if (plans && key->read == read_axes)
             TRY(join_axes(study, plans, own, why));
         else if (plans && !own && !(own_times && !strcmp(key->key, "quick_times")))
-            TRY(schema_value(key, plans, study, why));
+            TRY(read_value(key, plans, study, why));
     }
     study->times_line = line_of(own_times ? node : root, "times", 0);
     study->time_count = timeless ? -1 : study->time_count;
@@ -984,10 +956,9 @@ static enum status complete(struct plan_study *study, const struct yaml_tree *ro
         TRY(plan_case_refuse(plan, study->line, why,
                              "%s has no axes, and the plan has none for it",
                              yaml_tree_quote(study->name).text));
-    TRY(multiply_all(study, plan, why));
     if (!study->caption)
-        study->caption = strdup(study->name);
-    st = study->caption ? STATUS_OK : STATUS_MEMORY;
+        study->caption = study->name;
+    st = multiply_all(study, plan, why);
 out:
     return st;
 }
@@ -1000,47 +971,16 @@ static enum status complete_studies(struct plan *plan, const struct yaml_tree *r
     enum status st = STATUS_OK;
 
     if (!node) {
-        plan->studies = calloc(1, sizeof *plan->studies);
-        TRY(plan->studies ? STATUS_OK : STATUS_MEMORY);
-        *plan->studies = (struct plan_study){.name = strdup(plan->name),
-                                             .caption = strdup(plan->source),
-                                             .line = root->line};
+        plan->studies = arena_take(plan->arena, 1, sizeof *plan->studies);
+        *plan->studies = (struct plan_study){plan->arena, .name = plan->name,
+                                             .caption = plan->source, .line = root->line};
         plan->study_count = 1;
-        TRY(plan->studies->name && plan->studies->caption ? STATUS_OK : STATUS_MEMORY);
     }
     node = node ? node->first : NULL;
     for (int n = 0; n < plan->study_count; n++, node = node ? node->next : NULL)
         TRY(complete(&plan->studies[n], root, node, plan, why));
 out:
     return st;
-}
-
-static void clear_study(struct plan_study *study)
-{
-    for (int n = 0; n < study->level_count; n++)
-        clear_level(&study->levels[n]);
-    clear_axes(study);
-    clear_settings(&study->settings);
-    free(study->levels);
-    free(study->times);
-    free(study->quick_times);
-    free(study->name);
-    free(study->caption);
-}
-
-static void clear_statement(struct plan_statement *s)
-{
-    for (int n = 0; n < s->reading_count; n++) {
-        free(s->readings[n].name);
-        free(s->readings[n].why);
-        clear_settings(&s->readings[n].rows);
-    }
-    free(s->readings);
-    clear_settings(&s->quantity);
-    clear_settings(&s->row[0]);
-    clear_settings(&s->row[1]);
-    free(s->quote);
-    free(s->section);
 }
 
 /* --- the whole ---------------------------------------------------------------------------
@@ -1050,11 +990,9 @@ static enum status read_tree(const struct yaml_tree *root, struct plan *plan,
                              struct message *why)
 {
     struct reading r = {.plan = *plan};
-    enum status st = schema_read(PLAN, root, "the plan", &r, why);
+    enum status st = read_table(PLAN, root, "the plan", &r, why);
 
-    *plan = r.plan;
-    clear_study(&r.base); /* each study reads its own, and each statement */
-    clear_statement(&r.open);
+    *plan = r.plan; /* each study reads its own of the rest, and each statement */
     TRY(st);
     if (strlen(plan->name) > 64 ||
         plan->name[strspn(plan->name, "abcdefghijklmnopqrstuvwxyz0123456789_-")])
@@ -1082,9 +1020,14 @@ enum status plan_parse(const char *path, struct plan *plan, struct message *why)
         .look = 10, .time_limit = 600, .falls = {.by = -1}, .chart.from = NAN};
     if (why)
         why->text[0] = '\0';
-    plan->path = strdup(path);
-    TRY(plan->path ? STATUS_OK : STATUS_MEMORY);
-    TRY(load(path, &plan->text, &root, why));
+    struct arena first = {0};
+    plan->arena = arena_take(&first, 1, sizeof first);
+    *plan->arena = first;
+    plan->path = arena_print(plan->arena, "%s", path);
+    st = load(path, &plan->text, &root, why);
+    if (plan->text)
+        arena_keep(plan->arena, plan->text);
+    TRY(st);
     TRY(read_tree(root, plan, why));
 out:
     yaml_tree_free(root);
@@ -1134,84 +1077,46 @@ const struct named_file_kind plan_kind = {
 const struct named_file_kind plan_study_kind = {
     .what = "study", .describe = describe_study, PLAN_FOLDERS};
 
-static void clear_products(struct plan_products *products)
-{
-    for (int n = 0; n < products->count; n++)
-        clear_settings(&products->list[n].labels);
-    free(products->list);
-}
-
 void plan_clear(struct plan *plan)
 {
-    for (int n = 0; n < plan->map.mark_count; n++) {
-        free(plan->map.marks[n].text);
-        free(plan->map.marks[n].label);
-        clear_settings(&plan->map.marks[n].settings);
-    }
-    for (int n = 0; n < plan->study_count; n++)
-        clear_study(&plan->studies[n]);
-    clear_products(&plan->skip);
-    clear_products(&plan->paper);
-    for (int n = 0; n < plan->statement_count; n++)
-        clear_statement(&plan->statements[n]);
-    struct plan_settings *const settings[] = {
-        &plan->settings,    &plan->reference,  &plan->table.columns, &plan->table.shown,
-        &plan->chart.panel, &plan->chart.line, &plan->chart.y};
-    for (size_t n = 0; n < sizeof settings / sizeof *settings; n++)
-        clear_settings(settings[n]);
-    void *const owned[] = {plan->table.note, plan->chart.x,   plan->statements,
-                           plan->studies,    plan->map.marks, plan->falls.along,
-                           plan->map.x,      plan->map.y,     plan->map.panel,
-                           plan->keys,       plan->path,      plan->text,
-                           plan->name,       plan->source,    plan->what};
-    for (size_t n = 0; n < sizeof owned / sizeof *owned; n++)
-        free(owned[n]);
+    struct arena all = plan->arena ? *plan->arena : (struct arena){0};
+
     rules_clear(&plan->verdicts);
+    arena_clear(&all);
     *plan = (struct plan){0};
 }
 
 /* --- checks ------------------------------------------------------------------------------
  */
 
-static bool add_key(struct plan *plan, const char *key)
+static void add_key(struct plan *plan, const char *key)
 {
-    const char **grown;
-
     for (int k = 0; k < plan->key_count; k++)
         if (!strcmp(plan->keys[k], key))
-            return true;
-    grown = realloc(plan->keys, ((size_t)plan->key_count + 1) * sizeof *grown);
-    if (!grown)
-        return false;
-    plan->keys = grown;
+            return;
+    plan->keys =
+        arena_more(plan->arena, plan->keys, (size_t)plan->key_count, sizeof *plan->keys);
     plan->keys[plan->key_count++] = key;
-    return true;
 }
 
-static enum status add_keys_of(struct plan *plan, const struct plan_settings *settings)
+static void add_keys_of(struct plan *plan, const struct plan_settings *settings)
 {
     for (int n = 0; n < settings->count; n++)
-        if (!add_key(plan, settings->list[n].key))
-            return STATUS_MEMORY;
-    return STATUS_OK;
+        add_key(plan, settings->list[n].key);
 }
 
-static enum status add_keys(struct plan *plan)
+static void add_keys(struct plan *plan)
 {
-    enum status st;
-
-    TRY(add_keys_of(plan, &plan->settings));
+    add_keys_of(plan, &plan->settings);
     for (int n = 0; n < plan->study_count; n++) {
         const struct plan_study *study = &plan->studies[n];
-        TRY(add_keys_of(plan, &study->settings));
+        add_keys_of(plan, &study->settings);
         for (int k = 0; k < study->axis_count; k++)
             for (int i = 0; i < study->axis[k].count; i++) {
-                TRY(add_keys_of(plan, &study->axis[k].levels[i].settings));
-                TRY(add_keys_of(plan, &study->axis[k].levels[i].quick));
+                add_keys_of(plan, &study->axis[k].levels[i].settings);
+                add_keys_of(plan, &study->axis[k].levels[i].quick);
             }
     }
-out:
-    return st;
 }
 
 /* Returns an axis of a study; NULL: it has none of this name. */
@@ -1484,20 +1389,13 @@ out:
     return st;
 }
 
-/* Chooses the program's first model unless somebody says otherwise. */
-static enum status choose_model(struct plan *plan)
-{
-    return plan_settings_find(&plan->settings, "model")
-               ? STATUS_OK
-               : add_text(&plan->settings, "model", contestant_model(0)->name, 1);
-}
-
 static enum status check(struct plan *plan, struct message *why)
 {
     enum status st;
 
-    TRY(choose_model(plan));
-    TRY(add_keys(plan));
+    if (!plan_settings_find(&plan->settings, "model")) /* the program's first */
+        add_text(plan->arena, &plan->settings, "model", contestant_model(0)->name, 1);
+    add_keys(plan);
     TRY(check_map(plan, why));
     TRY(check_falls(plan, why));
     if (plan_case_count(plan) > PLAN_MAX_CASES)

@@ -19,6 +19,7 @@
 #include <stdbool.h>
 
 #include "bench/experiment/rules.h"
+#include "bench/files/arena.h"
 #include "bench/harness/run.h"
 #include "models/reader/named_file.h"
 #include "models/reader/schema.h"
@@ -58,6 +59,7 @@ enum {
 
 /* A value of an axis, or a product of such. */
 struct plan_level {
+    struct arena *arena; /* in which all of the plan lies                   borrowed */
     char *label;     /* short, for tables and pages                             owned  */
     char *name;      /* of its file, [a-z0-9_]+; made of the label if not given  owned  */
     double size;     /* mesh width, step, ...: observed orders are over it; 0: none     */
@@ -83,6 +85,7 @@ struct plan_axis {
 /* Some products: the levels that have, on each axis that is named here, one of the labels
  * given for it. The axis "study" has the names of studies as labels. */
 struct plan_product {
+    struct arena *arena; /* in which all of the plan lies                   borrowed */
     struct plan_settings labels; /* axis and label; several of an axis are alternatives  */
     int quick;       /* of skip: only a quick run leaves them out                      */
     double paper_ms; /* of paper: what somebody else's frame costs                     */
@@ -97,6 +100,7 @@ struct plan_products {
 enum plan_truth { PLAN_TRUTH_NONE, PLAN_TRUTH_SCENE, PLAN_TRUTH_PLATE };
 
 struct plan_study {
+    struct arena *arena; /* in which all of the plan lies                   borrowed */
     char *name;    /* of its files, [a-z0-9_]+                                  owned  */
     char *caption; /* of its tables                                             owned  */
     struct plan_settings settings;
@@ -117,7 +121,8 @@ struct plan_study {
 
 /* A point on the map that is no case: where another's result lies. */
 struct plan_mark {
-    char *text, *label; /* on the point; in the legend                          owned  */
+    struct arena *arena; /* in which all of the plan lies                   borrowed */
+    char *text, *label;  /* on the point; in the legend                          owned  */
     int line;
     struct plan_settings settings;
 };
@@ -160,12 +165,14 @@ struct plan_chart {
 /* A statement of the paper that is a ratio of two times or an exponent of one, and the ways
  * to read what it leaves open: labels of the rows that decide it (results.h). */
 struct plan_reading {
-    char *name;                /* in a few words                                owned   */
-    char *why;                 /* it is the primary one; or NULL                owned   */
+    struct arena *arena; /* in which all of the plan lies                   borrowed */
+    char *name;          /* in a few words                                owned   */
+    char *why;           /* it is the primary one; or NULL                owned   */
     struct plan_settings rows; /* axis and label                                        */
     int ours;                  /* no reading: what we would do instead, shown beside    */
 };
 struct plan_statement {
+    struct arena *arena;   /* in which all of the plan lies                   borrowed */
     char *quote, *section; /* in our words; of the paper                        owned   */
     struct plan_settings quantity; /* as keys: of a ratio one, of an exponent x and y   */
     struct plan_settings row[2];   /* of a ratio; an exponent's rows are row[0]         */
@@ -179,6 +186,7 @@ struct plan_statement {
 enum plan_keep { PLAN_KEEP_NONE, PLAN_KEEP_SNAPSHOTS };
 
 struct plan {
+    struct arena *arena; /* of all that it has                                   owned */
     char *path; /* of the file                                                   owned */
     char *text; /* the file as read                                              owned */
     char *name, *source;

@@ -73,14 +73,13 @@ static struct claim stated(const struct plan_statement *s, struct stated *room)
                           .statement = s};
 }
 
-struct claim *claim_statements(const struct plan *plan)
+const struct claim *claim_statements(const struct plan *plan, struct arena *a)
 {
     const size_t count = (size_t)plan->statement_count;
-    struct claim *claims =
-        calloc(1, (count + 1) * sizeof *claims + (count + 1) * sizeof(struct stated));
-    struct stated *room = claims ? (struct stated *)(void *)(claims + count + 1) : NULL;
+    struct claim *claims = arena_take(a, count + 1, sizeof *claims);
+    struct stated *room = arena_take(a, count + 1, sizeof *room);
 
-    for (size_t n = 0; claims && n < count; n++)
+    for (size_t n = 0; n < count; n++)
         claims[n] = stated(&plan->statements[n], &room[n]);
     return claims;
 }
@@ -104,30 +103,43 @@ static bool is_busy(const struct study_results *d)
            MEASUREMENT_PROCESSOR;
 }
 
+/* A text that is being written, and ends up in an arena. */
+struct text {
+    FILE *file;
+    char *text;
+    size_t size;
+};
+
+static void begin(struct text *t)
+{
+    t->file = open_memstream(&t->text, &t->size);
+    if (!t->file)
+        arena_end();
+}
+
+static char *end(struct text *t, struct arena *a)
+{
+    if (fclose(t->file) != 0)
+        arena_end();
+    return arena_keep(a, t->text);
+}
+
 /* Judges by another reading than the primary one, whose verdict is `turn`, and writes what
  * it turns, or the numbers of ours. */
-static enum status tell_reading(const struct claim *c, const struct claim_reading *reading,
-                                const struct study_results *d, enum verdict turn,
-                                FILE *turns, FILE *ours)
+static void tell_reading(const struct claim *c, const struct claim_reading *reading,
+                         const struct study_results *d, enum verdict turn, FILE *turns,
+                         FILE *ours, struct arena *a)
 {
-    char *text = NULL;
-    size_t size;
-    FILE *memory = open_memstream(&text, &size);
+    struct text words;
 
-    if (!memory)
-        return STATUS_MEMORY;
-    const enum verdict other = judge(c, d, reading->rows, memory);
-    if (fclose(memory) != 0) {
-        free(text);
-        return STATUS_MEMORY;
-    }
+    begin(&words);
+    const enum verdict other = judge(c, d, reading->rows, words.file);
+    const char *text = end(&words, a);
     if (reading->ours)
         fprintf(ours, "%sOurs, %s: %s", ftell(ours) ? " " : "", reading->name, text);
     else if (other != turn && (other == VERDICT_HOLDS || other == VERDICT_FAILS))
         fprintf(turns, "%sIt turns on the reading %s, by which it %s: %s",
                 ftell(turns) ? " " : "", reading->name, verdict_word(other), text);
-    free(text);
-    return STATUS_OK;
 }
 
 /* Writes what is open and how it is read, and why; nothing where nothing is open. */
@@ -147,117 +159,69 @@ static enum verdict allowed(const struct claim *c, const struct study_results *d
                                                            : turn;
 }
 
-enum { READING, HERE, TURNS, OURS, TEXTS };
-
-/* Judges and writes into the four streams. */
-static enum status judge_all(const struct claim *c, const struct study_results *d,
-                             FILE *const file[TEXTS], enum verdict *turn)
+struct judge_told claim_judge(const struct claim *c, const struct study_results *d,
+                              struct arena *a)
 {
+    enum { READING, HERE, TURNS, OURS, TEXTS };
     const struct claim_reading *r = c->readings;
-    enum status st = STATUS_OK;
+    struct text text[TEXTS];
 
-    write_reading(c, file[READING]);
-    *turn = judge(c, d, r ? r->rows : NULL, file[HERE]);
-    for (r = r ? r + 1 : NULL; r && r->name && st == STATUS_OK; r++)
-        st = tell_reading(c, r, d, *turn, file[TURNS], file[OURS]);
-    return st;
-}
-
-enum status claim_judge(const struct claim *c, const struct study_results *d,
-                        struct judge_told *told)
-{
-    char **const text[TEXTS] = {&told->reading, &told->here, &told->turns, &told->ours};
-    FILE *file[TEXTS] = {NULL};
-    size_t size[TEXTS];
-    enum status st = STATUS_OK;
-
-    *told = (struct judge_told){.source = c->source, .quote = c->quote};
     for (int n = 0; n < TEXTS; n++)
-        if (!(file[n] = open_memstream(text[n], &size[n])))
-            st = STATUS_MEMORY;
-    if (st == STATUS_OK)
-        st = judge_all(c, d, file, &told->turn);
-    const bool open = told->turn == VERDICT_OPEN;
-    told->turn = allowed(c, d, told->turn);
-    if (st == STATUS_OK && told->turn == VERDICT_QUICK && open)
-        rewind(file[HERE]), fputs("A quick run leaves out what decides this.", file[HERE]);
-    for (int n = 0; n < TEXTS; n++)
-        if (file[n] && fclose(file[n]) != 0)
-            st = STATUS_MEMORY;
-    if (st != STATUS_OK)
-        claim_forget(told);
-    return st;
-}
-
-void claim_forget(struct judge_told *told)
-{
-    free(told->reading);
-    free(told->here);
-    free(told->turns);
-    free(told->ours);
-    memset(told, 0, sizeof *told);
+        begin(&text[n]);
+    write_reading(c, text[READING].file);
+    const enum verdict turn = judge(c, d, r ? r->rows : NULL, text[HERE].file);
+    for (r = r ? r + 1 : NULL; r && r->name; r++)
+        tell_reading(c, r, d, turn, text[TURNS].file, text[OURS].file, a);
+    const enum verdict may = allowed(c, d, turn);
+    if (may == VERDICT_QUICK && turn == VERDICT_OPEN)
+        rewind(text[HERE].file),
+            fputs("A quick run leaves out what decides this.", text[HERE].file);
+    return (struct judge_told){.source = c->source,
+                               .quote = c->quote,
+                               .turn = may,
+                               .reading = end(&text[READING], a),
+                               .here = end(&text[HERE], a),
+                               .turns = end(&text[TURNS], a),
+                               .ours = end(&text[OURS], a)};
 }
 
 /* --- what is printed ---------------------------------------------------------------------
  */
 
-typedef enum status taker(void *context, const struct judge_told *told);
-
-static enum status hand_over(const struct claim *claims, const struct study_results *d,
-                             taker *take, void *context)
+const struct judge_told *claim_all(const struct study_results *d, struct arena *a,
+                                   int *count)
 {
-    enum status st = STATUS_OK;
+    const struct claim *const lists[] = {claim_statements(d->plan, a),
+                                         claim_find(d->plan->name)};
+    struct judge_told *told = NULL;
 
-    for (const struct claim *c = claims; c && c->quote && st == STATUS_OK; c++) {
-        struct judge_told told;
-        st = claim_judge(c, d, &told);
-        if (st == STATUS_OK)
-            st = take(context, &told);
-        claim_forget(&told);
-    }
-    return st;
-}
-
-enum status claim_each(const struct study_results *d, taker *take, void *context)
-{
-    struct claim *stated = claim_statements(d->plan);
-    enum status st = stated ? STATUS_OK : STATUS_MEMORY;
-
-    if (st == STATUS_OK)
-        st = hand_over(stated, d, take, context);
-    if (st == STATUS_OK)
-        st = hand_over(claim_find(d->plan->name), d, take, context);
-    free(stated);
-    return st;
-}
-
-/* Where the statements of a plan go. */
-struct telling {
-    struct printer *printer;
-    struct kept *kept;
-};
-
-static enum status tell(void *context, const struct judge_told *told)
-{
-    const struct telling *to = context;
-
-    kept_told(to->printer, to->kept, told);
-    return STATUS_OK;
+    *count = 0;
+    for (int k = 0; k < 2; k++)
+        for (const struct claim *c = lists[k]; c && c->quote; c++) {
+            told = arena_more(a, told, (size_t)*count, sizeof *told);
+            told[(*count)++] = claim_judge(c, d, a);
+        }
+    return told;
 }
 
 enum status claim_tell(const struct study_results *d, const char *folder, struct printer *p,
                        struct kept *kept, struct message *why)
 {
+    struct arena own = {0};
+    int count;
     enum status st;
 
     TRY(results_print(d, folder, p, why));
     if (claim_find(d->plan->name) == claim_table4)
         TRY(claim_table4_print(d, p, why));
     if (printer_is_prose(p)) {
-        TRY(claim_each(d, tell, &(struct telling){p, kept}));
+        const struct judge_told *told = claim_all(d, &own, &count);
+        for (int n = 0; n < count; n++)
+            kept_told(p, kept, &told[n]);
         if (p->file)
             measurement_machine(d->machine, p->file);
     }
 out:
+    arena_clear(&own);
     return st;
 }

@@ -44,24 +44,20 @@ struct claim {
 
 /* Judges a claim by its primary reading. VERDICT_BUSY: seconds decide it, and some of the
  * plan's were taken on a busy machine. VERDICT_QUICK: the results are of a quick run, which
- * does not settle it. What is told borrows from the claim; its other sentences are freed by
- * claim_forget, which accepts all-zero. STATUS_MEMORY: nothing is told. */
-enum status claim_judge(const struct claim *c, const struct study_results *d,
-                        struct judge_told *told);
-void claim_forget(struct judge_told *told);
+ * does not settle it. What is told borrows from the claim and from the arena. */
+struct judge_told claim_judge(const struct claim *c, const struct study_results *d,
+                              struct arena *a);
 
 /* Returns the claims on the plan of this name, up to one without a quote; NULL: none. */
 const struct claim *claim_find(const char *plan);
 
 /* Lists the statements of a plan, of plan->statement_count, as claims, up to one without a
- * quote; they borrow from the plan. Freed by the receiver as one; NULL: out of memory. */
-struct claim *claim_statements(const struct plan *plan);
+ * quote; they borrow from the plan and from the arena. */
+const struct claim *claim_statements(const struct plan *plan, struct arena *a);
 
-/* Judges all claims on a plan, its statements first, and hands each to `take`, until it
- * fails. */
-enum status claim_each(const struct study_results *d,
-                       enum status (*take)(void *context, const struct judge_told *told),
-                       void *context);
+/* Judges all claims on a plan, its statements first; *count of them. */
+const struct judge_told *claim_all(const struct study_results *d, struct arena *a,
+                                   int *count);
 
 /* Prints the plan's tables (results_print) and, for people, the claims and the machine. */
 enum status claim_tell(const struct study_results *d, const char *folder, struct printer *p,

@@ -1,57 +1,24 @@
 #include "bench/claims/statements.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 #include "bench/experiment/measurement.h"
 
-enum { MOST = 128 };
-
-struct statements {
-    struct judge_told told[MOST]; /* all texts are owned                                  */
+void statements_add(struct statements *s, const struct study_results *r)
+{
     int count;
-    char machine[4096]; /* a file whose provenance holds for all                          */
-};
+    const struct judge_told *told = claim_all(r, &s->arena, &count);
 
-struct statements *statements_create(void)
-{
-    return calloc(1, sizeof(struct statements));
-}
-
-void statements_destroy(struct statements *s)
-{
-    for (int n = 0; s && n < s->count; n++) {
-        free((char *)s->told[n].source);
-        free((char *)s->told[n].quote);
-        claim_forget(&s->told[n]);
-    }
-    free(s);
-}
-
-static enum status collect(void *context, const struct judge_told *told)
-{
-    struct statements *s = context;
-    struct judge_told *own = &s->told[s->count];
-
-    if (!*told->source)
-        return STATUS_OK;
-    if (s->count == MOST)
-        return STATUS_MEMORY;
-    *own = (struct judge_told){
-        strdup(told->source), strdup(told->quote), told->turn,        strdup(told->reading),
-        strdup(told->here),   strdup(told->turns), strdup(told->ours)};
-    s->count++;
-    return own->source && own->quote && own->reading && own->here && own->turns && own->ours
-               ? STATUS_OK
-               : STATUS_MEMORY;
-}
-
-enum status statements_add(struct statements *s, const struct study_results *r)
-{
-    if (!s)
-        return STATUS_MEMORY;
     memcpy(s->machine, r->machine, sizeof s->machine);
-    return claim_each(r, collect, s);
+    for (; count--; told++) {
+        if (!*told->source)
+            continue;
+        s->told = arena_more(&s->arena, s->told, (size_t)s->count, sizeof *s->told);
+        struct judge_told *own = &s->told[s->count++];
+        *own = *told; /* whose plan ends */
+        own->source = arena_print(&s->arena, "%s", told->source);
+        own->quote = arena_print(&s->arena, "%s", told->quote);
+    }
 }
 
 /* Sorts by section; statements of one section stay in the order of their plans. */
@@ -85,8 +52,6 @@ enum status statements_print(struct statements *s, struct printer *p, struct mes
 {
     struct dataset *t;
 
-    if (!s)
-        return STATUS_MEMORY;
     sort(s);
     if (p->format != TABLE_TEXT) {
         t = judge_table("The statements of the paper, how they are read, and whether they "

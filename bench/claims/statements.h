@@ -6,14 +6,16 @@
 
 #include "bench/claims/claim.h"
 
-struct statements;
+/* All-zero: none. */
+struct statements {
+    struct arena arena; /* of all texts                                          owned */
+    int count;
+    struct judge_told *told; /* [count]                                                */
+    char machine[4096];      /* a file whose provenance holds for all                  */
+};
 
-/* Makes an empty one. NULL without memory, which the others accept. */
-struct statements *statements_create(void);
-void statements_destroy(struct statements *s);
-
-/* Judges all claims on a plan and adds those of the paper. STATUS_MEMORY. */
-enum status statements_add(struct statements *s, const struct study_results *r);
+/* Judges all claims on a plan and adds those of the paper. */
+void statements_add(struct statements *s, const struct study_results *r);
 
 /* Prints them by section; for people with their count, in all other formats as a table. */
 enum status statements_print(struct statements *s, struct printer *p, struct message *why);

@@ -233,7 +233,7 @@ static enum status add_plan(const char *path, const struct asked *all, struct st
     if (kept)
         TRY(claim_tell(&r, a->folder, &silent, kept, why));
     TRY(kept_close(&kept, why));
-    TRY(statements_add(s, &r));
+    statements_add(s, &r);
 out:
     kept_discard(&kept);
     study_clear(&r);
@@ -245,26 +245,25 @@ out:
 
 static enum status run_all(const struct asked *all, struct message *why)
 {
-    struct statements *s = statements_create();
+    struct statements s = {.count = 0};
     struct named_file_entry *plans = NULL;
     int count = 0;
-    enum status st = s ? STATUS_OK : STATUS_MEMORY;
+    enum status st;
 
-    TRY(st);
     TRY(named_file_list(&plan_kind, &plans, &count, why));
     for (int n = 0; n < count; n++) {
         char *path = NULL;
         st = named_file_find(&plan_kind, plans[n].name, &path, why);
         if (st == STATUS_OK)
-            st = add_plan(path, all, s, why);
+            st = add_plan(path, all, &s, why);
         free(path);
         TRY(st);
     }
-    TRY(statements_print(s, all->printer, why));
+    TRY(statements_print(&s, all->printer, why));
     show_tell(all->folder);
 out:
     named_file_list_free(plans, count);
-    statements_destroy(s);
+    arena_clear(&s.arena);
     return st;
 }
 

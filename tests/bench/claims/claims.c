@@ -41,10 +41,10 @@ struct turns { /* of a plan; its strings are the file's */
     int begins, count;
 };
 
-static struct claim *stated; /* statements of the plan                                 */
-static double *fields;       /* of all rows and times that have a place of their own */
-static double *flat;         /* of the others: nothing crosses */
-static double *far; /* of truths: two metres from rest, the length of a study's sheet */
+static const struct claim *stated; /* statements of the plan */
+static double *fields; /* of all rows and times that have a place of their own */
+static double *flat;   /* of the others: nothing crosses */
+static double *far;    /* of truths: two metres from rest, the length of a study's sheet */
 
 /* Gives the sheet a place of one of these kinds. */
 static void place(const struct study *s, const struct scene *scene, double *xyz,
@@ -214,7 +214,8 @@ static void check_plan(const struct turns *t)
     struct study_made made;
 
     study_make(&made, t->plan);
-    REQUIRE((stated = claim_statements(&made.plan)));
+    struct arena arena = {0};
+    stated = claim_statements(&made.plan, &arena);
     far = metric_rest_field(&made.r.study[0].row[0].result.scene);
     REQUIRE(far);
     for (int n = 0; n < GRID_POINTS; n++)
@@ -224,19 +225,17 @@ static void check_plan(const struct turns *t)
     allocate(&made);
     for (int n = 0; n < t->count; n++) {
         const struct turn *turn = &t->turn[n];
-        struct judge_told told;
         fill(&made);
         apply(&made, t->begin, t->begins);
         apply(&made, turn->change, turn->changes);
         const struct claim *c = claim_of(t->plan, turn->quote);
-        REQUIRE(claim_judge(c, &made.r, &told) == STATUS_OK);
+        const struct judge_told told = claim_judge(c, &made.r, &arena);
         if (!CHECK(told.turn == turn->want) || !CHECK(!turn->turns || *told.turns))
             printf("  %s, turn %d, %s: verdict %d, wanted %d: %s %s\n", t->plan, n,
                    turn->quote, told.turn, turn->want, told.here, told.turns);
-        claim_forget(&told);
     }
     check_each_turned(t);
-    free(stated);
+    arena_clear(&arena);
     free(fields);
     free(flat);
     free(far);
@@ -340,20 +339,20 @@ static void add_statements(struct statements *s, const char *plan)
 
     study_make(&made, plan);
     study_fill(&made);
-    CHECK(statements_add(s, &made.r) == STATUS_OK);
+    statements_add(s, &made.r);
     study_unmake(&made);
 }
 
 /* One table has the statements of several plans by their sections, and none of ours. */
 static void tells_all_statements(void)
 {
-    struct statements *s = statements_create();
+    struct statements s = {.count = 0};
     struct study_printed p;
 
-    add_statements(s, "table3");
-    add_statements(s, "plasticity");
-    add_statements(s, "timestep");
-    CHECK(statements_print(s, &(struct printer){TABLE_TEXT, study_print_to(&p)}, NULL) ==
+    add_statements(&s, "table3");
+    add_statements(&s, "plasticity");
+    add_statements(&s, "timestep");
+    CHECK(statements_print(&s, &(struct printer){TABLE_TEXT, study_print_to(&p)}, NULL) ==
           STATUS_OK);
     char *text = study_squeeze(study_printed_text(&p));
     const char *first = strstr(text, "- 3.2: "), *second = strstr(text, "- 4.1: "),
@@ -370,14 +369,13 @@ static void tells_all_statements(void)
     CHECK(of[0] != of[1]); /* so that exchanged numbers are seen */
     study_wants(text, count);
     free(text);
-    CHECK(statements_print(s, &(struct printer){TABLE_CSV, study_print_to(&p)}, NULL) ==
+    CHECK(statements_print(&s, &(struct printer){TABLE_CSV, study_print_to(&p)}, NULL) ==
           STATUS_OK);
     text = study_printed_text(&p);
     study_wants(text, "source,claim,reading,verdict,sentence,turns,ours");
     study_wants(text, "\n4.1,");
     free(text);
-    statements_destroy(s);
-    CHECK(statements_add(NULL, NULL) == STATUS_MEMORY);
+    arena_clear(&s.arena);
 }
 
 /* --- claims.txt. */

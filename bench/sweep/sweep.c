@@ -221,11 +221,10 @@ static enum status collect(const struct sweep *s, struct message *why)
 
     TRY(sweep_rows_read(&rows, &s->plan, &s->folder));
     TRY(sweep_rows_save(&rows, folder, why));
-    TRY(sweep_falls_judge(&falls, &rows));
     TRY(sweep_map(&rows, folder, why));
     if (!s->quiet)
         sweep_rows_print(&rows, stdout);
-    TRY(sweep_falls_print(&falls, &p, why));
+    TRY(sweep_falls_print(&rows, &p, &falls, why));
     if (!s->quiet)
         print_cost(s);
     TRY(ferror(stdout) ? STATUS_FILE : STATUS_OK);
@@ -234,8 +233,7 @@ static enum status collect(const struct sweep *s, struct message *why)
                          measure_name(s->plan.falls.measure), s->plan.falls.along,
                          falls.grown, falls.rows);
 out:
-    sweep_falls_clear(&falls);
-    sweep_rows_clear(&rows);
+    arena_clear(&rows.arena);
     return st;
 }
 

@@ -82,23 +82,23 @@ struct sweep_row {
     enum status outcome;    /* of a run                                                */
     double value[MEASURES]; /* NaN unless it ran                                       */
     struct ruling verdict;  /* by the plan's rules                                    */
-    char *label; /* "feasible", "died", ..., "no result", "run again"           owned */
-    char *why;   /* how it ended, or why there is nothing                       owned */
+    const char *label;      /* "feasible", "died", ..., "no result", "run again"       */
+    const char *why;        /* how it ended, or why there is nothing                   */
 };
 
 struct sweep_rows {
     const struct plan *plan; /*                                               borrowed */
     long count;              /* cases of the plan                                      */
-    struct sweep_row *row;   /* [count]                                          owned */
+    struct sweep_row *row;   /* [count]                                                */
+    struct arena arena;      /* of them and their words                          owned */
 };
 
-/* Makes empty rows. *rows is overwritten; free with sweep_rows_clear. STATUS_MEMORY. */
-enum status sweep_rows_init(struct sweep_rows *rows, const struct plan *plan);
-void sweep_rows_clear(struct sweep_rows *rows); /* all-zero is allowed */
+/* Makes empty rows. *rows is overwritten. */
+void sweep_rows_init(struct sweep_rows *rows, const struct plan *plan);
 
-/* Fills row `number` and judges it; its strings are copied. STATUS_MEMORY. */
-enum status sweep_rows_set(struct sweep_rows *rows, long number, enum sweep_state state,
-                           const struct run_result *result, const char *why);
+/* Fills row `number` and judges it; its strings are copied. */
+void sweep_rows_set(struct sweep_rows *rows, long number, enum sweep_state state,
+                    const struct run_result *result, const char *why);
 
 /* Returns the case of the same study that has these labels and else those of case `number`;
  * -1: there is none. */
@@ -109,7 +109,7 @@ long sweep_rows_with(const struct plan *plan, long number,
 enum status sweep_rows_check(const struct plan *plan, struct message *why);
 
 /* Reads all rows from the files of their cases, and compares each with its reference if
- * the plan has one. *rows is overwritten; clear it in any case. */
+ * the plan has one. *rows is overwritten; clear its arena in any case. */
 enum status sweep_rows_read(struct sweep_rows *rows, const struct plan *plan,
                             const struct sweep_folder *folder);
 
@@ -125,20 +125,15 @@ void sweep_rows_print(const struct sweep_rows *rows, FILE *file);
  * each choice of the other labels, the values of the axis as columns, and where it grows.
  */
 struct sweep_falls {
-    struct dataset *table; /* NULL: the plan says of nothing that it falls         owned */
-    char *keys;            /* of its columns                                       owned */
-    long rows, grown;      /* rows with two values to compare; those in which one grows   */
+    long rows, grown; /* rows with two values to compare; those in which one grows      */
 };
 
-/* Judges all rows. A value grows if it is above the smallest one before it in its row by
- * more than the plan's `by` at that case; a death grows if a value stands before it. A case
- * without a value is not judged. *f is overwritten; clear it in any case. STATUS_MEMORY. */
-enum status sweep_falls_judge(struct sweep_falls *f, const struct sweep_rows *rows);
-void sweep_falls_clear(struct sweep_falls *f); /* all-zero is allowed */
-
-/* Prints the table and a sentence; nothing without a table. */
-enum status sweep_falls_print(struct sweep_falls *f, struct printer *p,
-                              struct message *why);
+/* Judges all rows and prints their table, also as falls.csv; nothing if the plan says of
+ * nothing that it falls. A value grows if it is above the smallest one before it in its row
+ * by more than the plan's `by` at that case; a death grows if a value stands before it. A
+ * case without a value is not judged. */
+enum status sweep_falls_print(const struct sweep_rows *rows, struct printer *p,
+                              struct sweep_falls *f, struct message *why);
 
 /* --- The map (sweep_map.c): labels over two keys or measures, a panel for each value of a
  * third, with the plan's marks on it, as FOLDER/map.csv, which `report` draws.

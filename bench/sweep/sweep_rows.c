@@ -7,39 +7,24 @@
 #include "models/metric/metric.h"
 #include "models/metric/metric_rest.h"
 
-enum status sweep_rows_init(struct sweep_rows *rows, const struct plan *plan)
+void sweep_rows_init(struct sweep_rows *rows, const struct plan *plan)
 {
     *rows = (struct sweep_rows){.plan = plan, .count = plan_case_count(plan)};
-    rows->row = calloc((size_t)rows->count, sizeof *rows->row);
-    return rows->row ? STATUS_OK : STATUS_MEMORY;
+    rows->row = arena_take(&rows->arena, (size_t)rows->count, sizeof *rows->row);
 }
 
-static void clear_row(struct sweep_row *row)
-{
-    free(row->label);
-    free(row->why);
-}
-
-void sweep_rows_clear(struct sweep_rows *rows)
-{
-    for (long n = 0; rows->row && n < rows->count; n++)
-        clear_row(&rows->row[n]);
-    free(rows->row);
-    *rows = (struct sweep_rows){0};
-}
-
-enum status sweep_rows_set(struct sweep_rows *rows, long number, enum sweep_state state,
-                           const struct run_result *result, const char *why)
+void sweep_rows_set(struct sweep_rows *rows, long number, enum sweep_state state,
+                    const struct run_result *result, const char *why)
 {
     const struct plan *plan = rows->plan;
     struct sweep_row *row = &rows->row[number];
     const bool ran = state == SWEEP_RAN;
     char label[1024];
 
-    clear_row(row);
     *row = (struct sweep_row){.state = state,
                               .outcome = ran ? result->outcome : STATUS_OK,
-                              .verdict = {.kind = VERDICT_NONE}};
+                              .verdict = {.kind = VERDICT_NONE},
+                              .why = arena_print(&rows->arena, "%s", why)};
     for (int n = 0; n < MEASURES; n++)
         row->value[n] = ran ? result->value[n] : NAN;
     snprintf(label, sizeof label, "%s", state == SWEEP_OPEN ? "run again" : "no result");
@@ -47,9 +32,7 @@ enum status sweep_rows_set(struct sweep_rows *rows, long number, enum sweep_stat
         row->verdict = rules_of(&plan->verdicts, result);
         rules_text(&plan->verdicts, row->verdict, label, sizeof label);
     }
-    row->label = strdup(label);
-    row->why = strdup(why);
-    return row->label && row->why ? STATUS_OK : STATUS_MEMORY;
+    row->label = arena_print(&rows->arena, "%s", label);
 }
 
 /* --- the reference of a case ------------------------------------------------------------
@@ -137,7 +120,7 @@ static enum status read_row(struct sweep_rows *rows, long number,
         TRY(read_reference(ref, other, folder));
     if (compared && state == SWEEP_RAN)
         r.value[MEASURE_REFERENCE_ERROR_MAX] = compare(&r, ref);
-    st = sweep_rows_set(rows, number, state, &r, sentence.text);
+    sweep_rows_set(rows, number, state, &r, sentence.text);
 out:
     run_result_clear(&r);
     return st;
@@ -147,9 +130,9 @@ enum status sweep_rows_read(struct sweep_rows *rows, const struct plan *plan,
                             const struct sweep_folder *folder)
 {
     struct reference ref = {.number = -1};
-    enum status st;
+    enum status st = STATUS_OK;
 
-    TRY(sweep_rows_init(rows, plan));
+    sweep_rows_init(rows, plan);
     for (long n = 0; n < rows->count; n++)
         TRY(read_row(rows, n, folder, &ref));
 out:
@@ -174,10 +157,10 @@ static struct dataset *create_table(const struct plan *plan)
 {
     const struct plan_study *first = plan->studies;
     const int count = first->axis_count + plan->key_count + MEASURES + 5;
-    struct dataset_column *columns = calloc((size_t)count, sizeof *columns), *c = columns;
+    struct arena own = {0};
+    struct dataset_column *columns = arena_take(&own, (size_t)count, sizeof *columns),
+                          *c = columns;
 
-    if (!columns)
-        return NULL;
     *c++ = (struct dataset_column){"number"};
     if (plan->study_count > 1)
         *c++ = (struct dataset_column){"study"};
@@ -197,7 +180,7 @@ static struct dataset *create_table(const struct plan *plan)
     *c++ = (struct dataset_column){"labels"};
     *c++ = (struct dataset_column){"outcome"};
     struct dataset *t = dataset_create((int)(c - columns), columns, NULL);
-    free(columns);
+    arena_clear(&own);
     return t;
 }
 

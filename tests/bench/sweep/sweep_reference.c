@@ -121,7 +121,7 @@ static void check_errors(void)
                                   : isnan(is) == isnan(want) && isinf(is) == isinf(want)))
             printf("  case %d: %s, %g: %s\n", n, rows.row[n].label, is, rows.row[n].why);
     }
-    sweep_rows_clear(&rows);
+    arena_clear(&rows.arena);
     plan_clear(&plan);
 }
 

@@ -7,7 +7,7 @@ endforeach()
 add_library(clothbench_archive STATIC ${storeys})
 set_target_properties(clothbench_archive PROPERTIES OUTPUT_NAME clothbench LINKER_LANGUAGE C)
 install(TARGETS clothbench_archive ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-foreach(folder models bench/harness bench/truth)
+foreach(folder models bench/files bench/harness bench/truth)
   install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/clothbench/${folder}/..
           FILES_MATCHING PATTERN *.h)
 endforeach()

@@ -67,7 +67,6 @@ static enum status find_truth(const struct plan *plan, const struct plan_study *
         if (!begins(c.run.settings.text[n], "discretization.") &&
             !begins(c.run.settings.text[n], "time."))
             settings_set(&physics, c.run.settings.text[n]);
-    TRY(physics.status);
     if (study->truth == PLAN_TRUTH_PLATE) {
         TRY(truth_of_plate(c.run.path, &physics, times, time ? time : (double[]){INFINITY},
                            truth, why));

@@ -177,9 +177,6 @@ enum status contestant_read_settings(const struct settings *s, const char *path,
                                      struct scene *scene, struct discretization *d,
                                      struct message *why)
 {
-    if (s->status != STATUS_OK)
-        return status_fail(why, s->status, "settings of %s: %s", path,
-                           status_text(s->status));
     d->others = contestant_model;
     return scene_file_read(path, s->count, (const char *const *)s->text, scene, d, why);
 }

@@ -1,38 +1,25 @@
-#define _GNU_SOURCE /* vasprintf */
 #include "bench/harness/settings.h"
 
 #include <stdarg.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "bench/files/output.h"
 
 void settings_clear(struct settings *s)
 {
-    for (int n = 0; n < s->count; n++)
-        free(s->text[n]);
-    free(s->text);
+    arena_clear(&s->arena);
     *s = (struct settings){0};
 }
 
-/* Takes ownership of `text`; NULL means that there was no memory. */
 static void take(struct settings *s, char *text)
 {
-    char **all = text ? realloc(s->text, (size_t)(s->count + 1) * sizeof *all) : NULL;
-
-    if (!all) {
-        free(text);
-        s->status = STATUS_MEMORY;
-        return;
-    }
-    s->text = all;
+    s->text = arena_more(&s->arena, s->text, (size_t)s->count, sizeof *s->text);
     s->text[s->count++] = text;
 }
 
 void settings_set(struct settings *s, const char *text)
 {
-    take(s, strdup(text));
+    take(s, arena_print(&s->arena, "%s", text));
 }
 
 void settings_set_all(struct settings *s, int count, const char *const *text)
@@ -47,20 +34,12 @@ void settings_list(struct settings *s, int most, const char *const *text)
         settings_set(s, text[n]);
 }
 
-/* Returns what printf would write, on the heap; NULL: no memory. */
-static char *printed(const char *format, va_list arguments)
-{
-    char *text;
-
-    return vasprintf(&text, format, arguments) < 0 ? NULL : text;
-}
-
 void settings_print(struct settings *s, const char *format, ...)
 {
     va_list arguments;
 
     va_start(arguments, format);
-    take(s, printed(format, arguments));
+    take(s, arena_vprint(&s->arena, format, arguments));
     va_end(arguments);
 }
 
@@ -70,23 +49,16 @@ void settings_more(struct settings *s, const char *format, ...)
 
     if (!s->count)
         return;
-    char *last = s->text[--s->count];
+    char **last = &s->text[s->count - 1];
     va_start(arguments, format);
-    char *more = printed(format, arguments);
+    *last =
+        arena_print(&s->arena, "%s%s", *last, arena_vprint(&s->arena, format, arguments));
     va_end(arguments);
-    if (more)
-        settings_print(s, "%s%s", last, more);
-    else
-        take(s, NULL);
-    free(more);
-    free(last);
 }
 
 void settings_append(struct settings *s, const struct settings *more)
 {
     settings_set_all(s, more->count, (const char *const *)more->text);
-    if (more->status != STATUS_OK)
-        s->status = more->status;
 }
 
 void settings_word(struct settings *s, const char *key, const char *value)

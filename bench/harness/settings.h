@@ -1,9 +1,8 @@
 /* settings.h - the settings of a run: keys of scene and discretization with their values,
  * in order; the later ones win.
  *
- * A list begins all-zero and grows as it needs. What goes wrong on the way (no memory, a
- * text that is no KEY=VALUE) is remembered and told by contestant_read_settings, so that
- * filling needs no checks:
+ * A list begins all-zero and grows as it needs. A text that is no KEY=VALUE is told by
+ * contestant_read_settings, so that filling needs no checks:
  *
  *     struct settings s = {0};
  *     settings_word(&s, "discretization.kinematics", "printed");
@@ -15,12 +14,12 @@
 #ifndef SETTINGS_H
 #define SETTINGS_H
 
-#include "models/status.h"
+#include "bench/files/arena.h"
 
 struct settings {
     int count;
-    char **text;        /* [count] KEY=VALUE as --set takes it            all owned */
-    enum status status; /* not STATUS_OK: an addition failed                        */
+    char **text;        /* [count] KEY=VALUE as --set takes it                      */
+    struct arena arena; /* of the texts                                       owned */
 };
 void settings_clear(struct settings *s); /* all-zero is allowed, and left */
 

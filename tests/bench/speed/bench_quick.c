@@ -22,12 +22,17 @@ static enum status bench(struct said *s, const char *words, struct message *why)
     snprintf(text, sizeof text, "%s", words);
     for (char *at = strtok(text, " "); at; at = strtok(NULL, " "))
         word[count++] = at;
-    REQUIRE(command_parse(&bench_command, count, word, &line, why) == STATUS_OK);
+    enum status st = command_parse(&bench_command, count, word, &line, why);
+    if (st != STATUS_OK) {
+        said_open(s);
+        said_close(s, true);
+        return st;
+    }
     FILE *file = tmpfile();
     fflush(stdout);
     const int out = dup(STDOUT_FILENO);
     REQUIRE(file && out >= 0 && dup2(fileno(file), STDOUT_FILENO) >= 0);
-    const enum status st = bench_command.run(&line, why);
+    st = bench_command.run(&line, why);
     fflush(stdout);
     REQUIRE(dup2(out, STDOUT_FILENO) >= 0);
     close(out);

@@ -340,7 +340,7 @@ static enum status say_net(const struct advise_search *s, const struct contest_r
         return st;
     t = export_numbers_table(&sheet);
     if (!printer_is_prose(p)) {
-        st = printer_save(t, p->folder, "advise_net", why);
+        st = printer_save(p, t, "advise_net", why);
         dataset_destroy(t);
         return st;
     }

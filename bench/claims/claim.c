@@ -204,14 +204,14 @@ const struct judge_told *claim_all(const struct study_results *d, struct arena *
     return told;
 }
 
-enum status claim_tell(const struct study_results *d, const char *folder, struct printer *p,
-                       struct kept *kept, struct message *why)
+enum status claim_tell(const struct study_results *d, struct printer *p, struct kept *kept,
+                       struct message *why)
 {
     struct arena own = {0};
     int count;
     enum status st;
 
-    TRY(results_print(d, folder, p, why));
+    TRY(results_print(d, p, why));
     if (claim_find(d->plan->name) == claim_table4)
         TRY(claim_table4_print(d, p, why));
     if (printer_is_prose(p)) {

@@ -60,8 +60,8 @@ const struct judge_told *claim_all(const struct study_results *d, struct arena *
                                    int *count);
 
 /* Prints the plan's tables (results_print) and, for people, the claims and the machine. */
-enum status claim_tell(const struct study_results *d, const char *folder, struct printer *p,
-                       struct kept *kept, struct message *why);
+enum status claim_tell(const struct study_results *d, struct printer *p, struct kept *kept,
+                       struct message *why);
 
 /* Prints what the paper's Table 4 has besides: its words beside those of the rules. */
 enum status claim_table4_print(const struct study_results *d, struct printer *p,

@@ -418,7 +418,7 @@ static enum status print_runs(const struct contest *c, struct printer *p,
             if (c->rows[n].at.contestant == who)
                 add_run(t, c, &c->rows[n]);
     }
-    TRY(printer_save(t, p->folder, "compare", why));
+    TRY(printer_save(p, t, "compare", why));
     add_bar(t, c);
     return printer_table(p, t, NULL, why);
 out:

@@ -199,7 +199,7 @@ enum status league_print(int count, const struct contest *const *contests,
 
     if (printer_is_data(p))
         return printer_table(p, t, "compare_scenes", why);
-    TRY(printer_save(t, p->folder, "compare_scenes", why));
+    TRY(printer_save(p, t, "compare_scenes", why));
     st = print_people(count, contests, p, why);
 out:
     dataset_destroy(t);

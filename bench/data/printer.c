@@ -28,15 +28,17 @@ bool printer_is_data(const struct printer *p)
     return p->format == TABLE_CSV || p->format == TABLE_JSON;
 }
 
-enum status printer_save(const struct dataset *t, const char *folder, const char *name,
+enum status printer_save(const struct printer *p, const struct dataset *t, const char *name,
                          struct message *why)
 {
     struct output *out = NULL;
     char file[256];
     enum status st;
 
+    if (!p->folder)
+        return STATUS_OK;
     snprintf(file, sizeof file, "%s.csv", name);
-    TRY(output_create_in(folder, file, &out, why));
+    TRY(output_create_in(p->folder, file, &out, why));
     table_lines(t, output_stream(out));
     st = output_close(&out, why);
 out:
@@ -57,8 +59,8 @@ enum status printer_table(struct printer *p, struct dataset *t, const char *name
 {
     enum status st = STATUS_OK;
 
-    if (name && p->folder)
-        TRY(printer_save(t, p->folder, name, why));
+    if (name)
+        TRY(printer_save(p, t, name, why));
     if (p->copy)
         TRY(print(t, TABLE_CSV, p->copy));
     if (p->file)

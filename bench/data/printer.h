@@ -41,9 +41,9 @@ bool printer_is_data(const struct printer *p);
 enum status printer_table(struct printer *p, struct dataset *t, const char *name,
                           struct message *why);
 
-/* Writes FOLDER/NAME.csv: a line of keys, a line each row, as many cells in each; no
- * caption and no notes. STATUS_FILE (as output.h). */
-enum status printer_save(const struct dataset *t, const char *folder, const char *name,
+/* Writes FOLDER/NAME.csv, if there is a folder: a line of keys, a line each row, as many
+ * cells in each; no caption and no notes. STATUS_FILE (as output.h). */
+enum status printer_save(const struct printer *p, const struct dataset *t, const char *name,
                          struct message *why);
 
 /* Returns the stream for the next object of JSON. */

@@ -563,8 +563,8 @@ static void write_axis(const struct quantity_row *q, char title[128])
 
 /* Writes the points of the plan's chart as FOLDER/NAME_chart.csv, under the names of its
  * axes. */
-static enum status save_chart(const struct study_results *d, const char *folder,
-                              const char *name, struct message *why)
+static enum status save_chart(const struct study_results *d, const struct printer *p,
+                              struct message *why)
 {
     const struct plan_chart *plan = &d->plan->chart;
     const int column = quantity_find(plan->x);
@@ -582,14 +582,13 @@ static enum status save_chart(const struct study_results *d, const char *folder,
         {"panel"}, {"line"}, {"x", .key = x}, {"y", .key = y}};
     struct dataset *t = DATASET_OF(columns, NULL);
     add_points(t, d, plan);
-    snprintf(file, sizeof file, "%.100s_chart", name);
-    const enum status st = printer_save(t, folder, file, why);
+    snprintf(file, sizeof file, "%.100s_chart", d->plan->name);
+    const enum status st = printer_save(p, t, file, why);
     dataset_destroy(t);
     return st;
 }
 
-static enum status print_view(const struct view *v, const char *folder, struct printer *p,
-                              struct message *why)
+static enum status print_view(const struct view *v, struct printer *p, struct message *why)
 {
     const bool people = !printer_is_data(p);
     const bool apart =
@@ -599,7 +598,7 @@ static enum status print_view(const struct view *v, const char *folder, struct p
     enum status st;
 
     snprintf(cost, sizeof cost, "%s%s", v->caption, v->alone ? ": cost" : "");
-    TRY(printer_save(all, folder, v->name, why));
+    TRY(printer_save(p, all, v->name, why));
     if (apart)
         TRY(printer_table(p, fill(v, PART_RUN, people, cost), NULL, why));
     t = !apart || v->alone ? fill(v, apart ? PART_TIMES : PART_ALL, people, v->caption)
@@ -613,23 +612,23 @@ out:
     return st;
 }
 
-enum status results_print(const struct study_results *d, const char *folder,
-                          struct printer *p, struct message *why)
+enum status results_print(const struct study_results *d, struct printer *p,
+                          struct message *why)
 {
     const struct plan *plan = d->plan;
     struct view v = view_of(d);
     enum status st = STATUS_OK;
 
     if (plan->chart.x)
-        TRY(save_chart(d, folder, plan->name, why));
+        TRY(save_chart(d, p, why));
     if (!v.alone)
-        return print_view(&v, folder, p, why);
+        return print_view(&v, p, why);
     for (int n = 0; n < d->count; n++) {
         struct study_results one = *d;
         one.study += n;
         one.count = 1;
         v = view_of(&one);
-        TRY(print_view(&v, folder, p, why));
+        TRY(print_view(&v, p, why));
     }
 out:
     return st;

@@ -68,7 +68,7 @@ enum status results_check(const struct plan *plan, struct message *why);
  * of its chart as FOLDER/NAME_chart.csv; NAME is the plan's. Studies
  * of a plan without a table are printed one by one, under their names: cost and differences
  * of the levels, with observed orders. */
-enum status results_print(const struct study_results *d, const char *folder,
-                          struct printer *p, struct message *why);
+enum status results_print(const struct study_results *d, struct printer *p,
+                          struct message *why);
 
 #endif

@@ -168,11 +168,12 @@ static enum status print(const struct command_line *line, const struct asked *a,
     struct kept *kept = NULL;
     enum status st = STATUS_OK;
 
+    out->folder = a->folder;
     kept_open(a->folder, line->command->name, line->words[0], keep, &kept);
     TRY(study_read(&a->plan, a->folder, &r, why));
     if (kept && keep != out)
-        TRY(claim_tell(&r, a->folder, keep, kept, why));
-    TRY(claim_tell(&r, a->folder, out, keep == out ? kept : NULL, why));
+        TRY(claim_tell(&r, keep, kept, why));
+    TRY(claim_tell(&r, out, keep == out ? kept : NULL, why));
     TRY(kept_close(&kept, why));
 out:
     kept_discard(&kept);
@@ -230,8 +231,9 @@ static enum status add_plan(const char *path, const struct asked *all, struct st
         TRY(measure(a, why));
     TRY(study_read(&a->plan, a->folder, &r, why));
     kept_open(a->folder, "study", a->plan.name, &silent, &kept);
+    silent.folder = a->folder;
     if (kept)
-        TRY(claim_tell(&r, a->folder, &silent, kept, why));
+        TRY(claim_tell(&r, &silent, kept, why));
     TRY(kept_close(&kept, why));
     statements_add(s, &r);
 out:

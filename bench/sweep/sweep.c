@@ -213,15 +213,14 @@ static void print_cost(const struct sweep *s)
 /* Writes tables and map from the files of the cases, and prints a summary. */
 static enum status collect(const struct sweep *s, struct message *why)
 {
-    const char *folder = s->folder.path;
-    struct printer p = {TABLE_TEXT, s->quiet ? NULL : stdout, folder};
+    struct printer p = {TABLE_TEXT, s->quiet ? NULL : stdout, s->folder.path};
     struct sweep_rows rows = {0};
     struct sweep_falls falls = {0};
     enum status st;
 
     TRY(sweep_rows_read(&rows, &s->plan, &s->folder));
-    TRY(sweep_rows_save(&rows, folder, why));
-    TRY(sweep_map(&rows, folder, why));
+    TRY(sweep_rows_save(&rows, &p, why));
+    TRY(sweep_map(&rows, &p, why));
     if (!s->quiet)
         sweep_rows_print(&rows, stdout);
     TRY(sweep_falls_print(&rows, &p, &falls, why));

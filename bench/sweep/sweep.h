@@ -115,7 +115,7 @@ enum status sweep_rows_read(struct sweep_rows *rows, const struct plan *plan,
 
 /* Writes FOLDER/table.csv, every key and measure to 17 digits, verdict, labels and end:
  * the same bits however it came about. STATUS_FILE, STATUS_MEMORY. */
-enum status sweep_rows_save(const struct sweep_rows *rows, const char *folder,
+enum status sweep_rows_save(const struct sweep_rows *rows, const struct printer *p,
                             struct message *why);
 
 /* Prints the plan, and how many cases have which label and end. */
@@ -140,7 +140,7 @@ enum status sweep_falls_print(const struct sweep_rows *rows, struct printer *p,
  *
  * Writes nothing for a plan without a map. STATUS_INPUT: a mark; STATUS_FILE,
  * STATUS_MEMORY. */
-enum status sweep_map(const struct sweep_rows *rows, const char *folder,
+enum status sweep_map(const struct sweep_rows *rows, const struct printer *p,
                       struct message *why);
 
 #endif

@@ -115,7 +115,7 @@ out:
     return st;
 }
 
-enum status sweep_map(const struct sweep_rows *rows, const char *folder,
+enum status sweep_map(const struct sweep_rows *rows, const struct printer *p,
                       struct message *why)
 {
     const struct plan *plan = rows->plan;
@@ -145,7 +145,7 @@ enum status sweep_map(const struct sweep_rows *rows, const char *folder,
     }
     for (int n = 0; n < plan->map.mark_count; n++)
         TRY(add_mark(t, plan, &plan->map.marks[n], d, why));
-    st = printer_save(t, folder, "map", why);
+    st = printer_save(p, t, "map", why);
 out:
     dataset_destroy(t);
     return st;

@@ -208,7 +208,7 @@ static void add_case(struct dataset *t, const struct plan *plan, const struct pl
     dataset_add(t, "%s|%s|%s", verdict_word(row->verdict.kind), row->label, row->why);
 }
 
-enum status sweep_rows_save(const struct sweep_rows *rows, const char *folder,
+enum status sweep_rows_save(const struct sweep_rows *rows, const struct printer *p,
                             struct message *why)
 {
     struct dataset *t = create_table(rows->plan);
@@ -220,7 +220,7 @@ enum status sweep_rows_save(const struct sweep_rows *rows, const char *folder,
         add_case(t, rows->plan, &c, &rows->row[n]);
         plan_case_clear(&c);
     }
-    st = printer_save(t, folder, "table", why);
+    st = printer_save(p, t, "table", why);
 out:
     dataset_destroy(t);
     return st;

@@ -321,9 +321,9 @@ static void judges_quick_runs(void)
 
     study_make(&made, "solvers");
     made.r.quick = true;
-    REQUIRE(claim_tell(&made.r, study_folder,
-                       &(struct printer){TABLE_TEXT, study_print_to(&p)}, NULL,
-                       NULL) == STATUS_OK);
+    REQUIRE(claim_tell(&made.r,
+                       &(struct printer){TABLE_TEXT, study_print_to(&p), study_folder},
+                       NULL, NULL) == STATUS_OK);
     char *text = study_squeeze(study_printed_text(&p));
     study_wants(text, "frame below 1.25: not judged: quick");
     study_wants(text, "pays on every net: holds");

@@ -130,11 +130,12 @@ static void check_files(void)
     struct message why;
     struct dataset *t = make();
 
-    CHECK(printer_save(t, ".", "table", &why) == STATUS_OK);
+    CHECK(printer_save(&(struct printer){.folder = "."}, t, "table", &why) == STATUS_OK);
     check_file(want);
-    CHECK(printer_save(t, "/proc/nowhere", "table", &why) == STATUS_FILE);
+    CHECK(printer_save(&(struct printer){.folder = "/proc/nowhere"}, t, "table", &why) ==
+          STATUS_FILE);
     REQUIRE(symlink("/dev/full", "full.csv") == 0);
-    CHECK(printer_save(t, ".", "full", &why) == STATUS_FILE);
+    CHECK(printer_save(&(struct printer){.folder = "."}, t, "full", &why) == STATUS_FILE);
     CHECK(printer_table(&(struct printer){TABLE_LATEX, stdout}, t, NULL, NULL) ==
           STATUS_OK);
 }

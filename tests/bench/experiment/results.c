@@ -86,8 +86,8 @@ static char *print(const struct plan *plan, struct study *s, enum table_format f
     FILE *file = open_memstream(&text, &size);
 
     REQUIRE(file);
-    struct printer p = {format, file};
-    CHECK(results_print(&d, folder, &p, NULL) == STATUS_OK);
+    struct printer p = {format, file, folder};
+    CHECK(results_print(&d, &p, NULL) == STATUS_OK);
     CHECK(printer_close(&p) == STATUS_OK);
     REQUIRE(fclose(file) == 0);
     return text;

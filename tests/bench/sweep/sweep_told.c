@@ -29,6 +29,8 @@ static void end(struct sweep_rows *rows, struct plan *plan)
     plan_clear(plan);
 }
 
+static const struct printer files = {.folder = "."};
+
 /* Fills a row: all measures are `value`. */
 static void set(struct sweep_rows *rows, long number, enum sweep_state state,
                 enum status outcome, double value, const char *why)
@@ -145,14 +147,14 @@ static void check_table(void)
             rows.row[n].value[m] += OWN * m;
     }
     check_counts(&rows);
-    REQUIRE(sweep_rows_save(&rows, ".", NULL) == STATUS_OK);
+    REQUIRE(sweep_rows_save(&rows, &files, NULL) == STATUS_OK);
     const struct csv_table *t = read_table("table.csv", &csv);
     REQUIRE(t->rows == TOLD);
     for (int n = 0; n < TOLD; n++)
         check_case(t, n);
     csv_clear(&csv);
     unlink("table.csv");
-    CHECK(sweep_rows_save(&rows, "none", NULL) == STATUS_FILE);
+    CHECK(sweep_rows_save(&rows, &(struct printer){.folder = "none"}, NULL) == STATUS_FILE);
     end(&rows, &plan);
 }
 
@@ -230,7 +232,7 @@ static const struct {
 static char *write_map(const struct sweep_rows *rows)
 {
     remove("map.csv");
-    REQUIRE(sweep_map(rows, ".", NULL) == STATUS_OK);
+    REQUIRE(sweep_map(rows, &files, NULL) == STATUS_OK);
     return access("map.csv", F_OK) == 0 ? fresh_text(".", "map.csv") : NULL;
 }
 
@@ -319,7 +321,7 @@ static void check_falls(bool bar)
             error == BLANK ? NAN : error, "done");
         rows.row[n].value[MEASURE_TRUTH_BAR_END] = 0.25;
     }
-    struct printer p = {.folder = "."};
+    struct printer p = files;
     REQUIRE(sweep_falls_print(&rows, &p, &f, NULL) == STATUS_OK);
     char *csv = fresh_text(".", "falls.csv");
     holds("falls", csv, "damping.value,at_1,at_2,at_3,at_4,by,grows_at\n");
@@ -351,7 +353,7 @@ static void check_names(void)
         for (long k = 0; k < rows.count; k++)
             set(&rows, k, SWEEP_RAN, STATUS_OK, 1, "done");
         unlink("falls.csv");
-        struct printer p = {.folder = "."};
+        struct printer p = files;
         REQUIRE(sweep_falls_print(&rows, &p, &f, NULL) == STATUS_OK);
         CHECK(f.grown == 0 && (access("falls.csv", F_OK) == 0) == (n == 0));
         char *csv = n ? NULL : fresh_text(".", "falls.csv");

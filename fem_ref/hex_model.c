@@ -138,11 +138,8 @@ struct hex {
 
 /* clang-format off */
 static const struct schema_key options[] = {
-    {"points"}, {"degree"}, {"gauss"}, {"kinematics"}, {"unknowns"}, {"solver"},
-    {"preconditioner"}, {"newton"}, {"substeps"},
-    {"viscosity"},
+    OPTIONS_CONTINUUM, {"kinematics"}, {"unknowns"},
     {"remedy", .only = OPTION(REMEDY_NONE) | OPTION(REMEDY_INCOMPATIBLE)},
-    {"integrator", .only = OPTION(INTEGRATOR_IMPLICIT) | OPTION(INTEGRATOR_LEAPFROG)},
     {NULL}};
 /* clang-format on */
 
@@ -305,7 +302,7 @@ static enum status init(void *state, const struct scene *scene,
     TRY(model_refuse(scene, SOLID_MODEL_SERVES, why));
     TRY(contact_rest_refuse(scene, why));
     TRY(contact_refuse_linear(scene, d, why));
-    TRY(march_refuse(d, why));
+    TRY(model_refuse_options(d, why));
     TRY(refuse(d, why));
     TRY(solid_model_basis(scene, d, d->points[2] == 2, &thickness, why));
     x = rest_points(scene, sheets, d->points);

@@ -358,12 +358,9 @@ struct plate {
 
 /* clang-format off */
 static const struct schema_key options[] = {
-    {"points"}, {"degree"}, {"gauss"}, {"knots_u"}, {"knots_v"}, {"knots_w"}, {"weights"},
-    {"kinematics"}, {"unknowns"}, {"solver"}, {"preconditioner"}, {"newton"},
-    {"viscosity"}, {"substeps"},
+    OPTIONS_CONTINUUM, {"knots_u"}, {"knots_v"}, {"knots_w"}, {"weights"}, {"kinematics"},
+    {"unknowns"}, {"contact"},
     {"remedy", .only = OPTION(REMEDY_NONE) | OPTION(REMEDY_SELECTIVE)},
-    {"integrator", .only = OPTION(INTEGRATOR_IMPLICIT) | OPTION(INTEGRATOR_LEAPFROG)},
-    {"contact"},
     {NULL}};
 /* clang-format on */
 
@@ -770,7 +767,7 @@ static enum status init(void *state, const struct scene *scene,
     TRY(contact_rest_refuse(scene, why));
     TRY(contact_refuse_linear(scene, d, why));
     TRY(bspline_contact_refuse(scene, d, why));
-    TRY(march_refuse(d, why));
+    TRY(model_refuse_options(d, why));
     TRY(check_remedy(d, why));
     if (d->remedy != REMEDY_SELECTIVE)
         TRY(solid_model_refuse_fabric(scene, why));

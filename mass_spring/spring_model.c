@@ -8,12 +8,17 @@
 
 /* clang-format off */
 static const struct schema_key options[] = {
-    OPTIONS_NET, {"solver"}, {"preconditioner"}, {"parameters"}, {"precision"},
-    {"tolerance"},
+    OPTIONS_NET, {"solver"}, {"preconditioner"},
+    {"iterations", .with = "integrator", .of = OPTION(INTEGRATOR_IMPLICIT)},
+    {"tolerance", .with = "integrator", .of = OPTION(INTEGRATOR_IMPLICIT)},
+    {"precision", .with = "integrator", .of = OPTION(INTEGRATOR_LEAPFROG)},
+    {"parameters", .with = "integrator", /* the paper's have a drag of points */
+     .of = OPTION(INTEGRATOR_IMPLICIT) | OPTION(INTEGRATOR_LEAPFROG)},
     {"integrator", .only = OPTION(INTEGRATOR_IMPLICIT) | OPTION(INTEGRATOR_EXPLICIT) |
                            OPTION(INTEGRATOR_LEAPFROG) | OPTION(INTEGRATOR_MOMENTUM)},
     {"strain_limit", "largest strain of a spring; 0: none", SCHEMA_NUMBER, .low = 0, .high = 10,
-     OPTION_OWN(spring_own, strain_limit)},
+     OPTION_OWN(spring_own, strain_limit),
+     .with = "integrator", .of = OPTION(INTEGRATOR_IMPLICIT)},
     {"surface", "surface of the sheet: the net, or a B-spline of which it is the control net",
      OPTION_WORDS([SURFACE_NET] = "net", [SURFACE_QUADRATIC] = "quadratic",
                   [SURFACE_CUBIC] = "cubic"),
@@ -24,33 +29,14 @@ static const struct schema_key options[] = {
 static enum status refuse(const struct scene *scene, const struct discretization *d,
                           struct message *why)
 {
-    const struct spring_own *own = OWN(spring_own, d);
-    const bool momentum = d->integrator == INTEGRATOR_MOMENTUM,
-               explicit = d->integrator == INTEGRATOR_EXPLICIT;
+    const bool momentum = d->integrator == INTEGRATOR_MOMENTUM;
 
-    if (d->precision == PRECISION_SINGLE && d->integrator != INTEGRATOR_LEAPFROG)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "precision=single: with integrator=leapfrog only");
-    if (solver_iterates(d->solver) && d->integrator != INTEGRATOR_IMPLICIT && !momentum)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "solver=%s: with integrator=implicit or momentum only",
-                           option_solver[d->solver]);
-    if (momentum && (d->iterations || d->tolerance > 0))
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "iterations, tolerance: not with integrator=momentum");
-    if ((momentum || explicit) && d->parameters == PARAMETERS_PAPER)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "parameters=paper, which has a drag of points: with "
-                           "integrator=implicit or leapfrog only");
     if (scene_needs(scene) & SCENE_NEED_SOFTENING && !momentum)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "softening: with integrator=momentum only, the others have "
                            "struts of constant force or a constant bending");
-    if (own->strain_limit > 0 &&
-        (d->integrator != INTEGRATOR_IMPLICIT || contact_wanted(scene)))
-        return status_fail(
-            why, STATUS_UNSUPPORTED,
-            "strain_limit: with integrator=implicit and without contact only");
+    if (OWN(spring_own, d)->strain_limit > 0 && contact_wanted(scene))
+        return status_fail(why, STATUS_UNSUPPORTED, "strain_limit: without contact only");
     return STATUS_OK;
 }
 

@@ -29,9 +29,22 @@ enum status model_refuse(const struct scene *scene, unsigned serves, struct mess
     return refuse(scene_needs(scene) & ~serves, "", why);
 }
 
+/* Returns the whole row of an option: that of the models that share it, or its own. */
+static const struct schema_key *whole(const struct schema_key *row)
+{
+    const struct schema_key *shared = option_find(option_shared, row->key);
+
+    return shared ? shared : row;
+}
+
+static int value_of(const struct schema_key *option, const struct discretization *d)
+{
+    return *(const int *)(const void *)((const char *)d + option->offset);
+}
+
 /* Refuses as in "integrator=bdf2: shell has implicit, leapfrog". */
-static enum status refuse_word(const struct schema_key *option, unsigned only, int value,
-                               const struct model *model, struct message *why)
+static enum status refuse_word(const struct schema_key *option, unsigned only,
+                               const struct discretization *d, struct message *why)
 {
     char known[256] = "";
 
@@ -39,11 +52,34 @@ static enum status refuse_word(const struct schema_key *option, unsigned only, i
         if (only & OPTION(n))
             TEXT_JOIN(known, ", ", "%s", option->words[n]);
     return status_fail(why, STATUS_UNSUPPORTED, "%s=%s: %s has %s", option->key,
-                       option->words[value], model->name, known);
+                       option->words[value_of(option, d)], d->model->name, known);
+}
+
+/* Refuses as in "precision=single: with integrator=leapfrog only". */
+static enum status refuse_alone(const struct schema_key *row,
+                                const struct discretization *d, struct message *why)
+{
+    const struct schema_key *option = whole(row);
+    const struct schema_key *needs = row->with ? row : option;
+    char known[256] = "";
+
+    if (!needs->with || !option_is_set(option, d))
+        return STATUS_OK;
+    const struct schema_key *other = whole(option_find(d->model->options, needs->with));
+    if (needs->of & OPTION(value_of(other, d)))
+        return STATUS_OK;
+    for (int n = 0; other->words[n]; n++)
+        if (needs->of & OPTION(n))
+            TEXT_JOIN(known, " or ", "%s", other->words[n]);
+    return status_fail(why, STATUS_UNSUPPORTED, "%s%s%s: with %s=%s only", option->key,
+                       option->words ? "=" : "",
+                       option->words ? option->words[value_of(option, d)] : "", other->key,
+                       known);
 }
 
 enum status model_refuse_options(const struct discretization *d, struct message *why)
 {
+    enum status st = STATUS_OK;
     const struct schema_key *foreign = d->foreign;
 
     if (!d->model)
@@ -51,20 +87,18 @@ enum status model_refuse_options(const struct discretization *d, struct message 
                            "the discretization is no model's: begin with model_defaults");
     for (const struct schema_key *s = option_shared; s->key; s++) {
         const struct schema_key *listed = option_find(d->model->options, s->key);
-        const int value = *(const int *)(const void *)((const char *)d + s->offset);
 
         if (!listed && option_is_set(s, d))
             foreign = s;
-        if (listed && listed->only && !(listed->only & OPTION(value)))
-            return refuse_word(s, listed->only, value, d->model, why);
+        if (listed && listed->only && !(listed->only & OPTION(value_of(s, d))))
+            return refuse_word(s, listed->only, d, why);
     }
     if (foreign)
         return status_fail(why, STATUS_INPUT, "%s: %s has no use for it", foreign->key,
                            d->model->name);
-    if (d->preconditioner != PRECONDITIONER_FACTOR && !solver_iterates(d->solver))
-        return status_fail(why, STATUS_INPUT,
-                           "preconditioner: with solver=cg or gmres only");
-    return STATUS_OK;
+    for (const struct schema_key *s = d->model->options; st == STATUS_OK && s->key; s++)
+        st = refuse_alone(s, d, why);
+    return st;
 }
 
 static enum status refuse_points(const struct discretization *d, struct message *why)

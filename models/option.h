@@ -6,7 +6,7 @@
  * below, which models share, the row has the key and, unless the model knows all of them,
  * the words:
  *
- *     {"substeps"},
+ *     {"substeps", .with = "integrator", .of = OPTION(INTEGRATOR_LEAPFROG)},
  *     {"integrator", .only = OPTION(INTEGRATOR_IMPLICIT) | OPTION(INTEGRATOR_LEAPFROG)},
  *     {"strain_limit", "largest strain of a spring; 0: none", SCHEMA_NUMBER, .low = 0,
  * .high = 10, OPTION_OWN(spring_own, strain_limit)},
@@ -27,10 +27,18 @@
 
 /* The options that nets of points over the mid-surface share, which turn with the sheet. */
 #define OPTIONS_NET                                                                        \
-    {"points"}, {"degree"}, {"substeps"}, {"iterations"},                                  \
+    {"points"}, {"degree"}, {"substeps"},                                                  \
     {"kinematics", .only = OPTION(KINEMATICS_NONLINEAR)},                                  \
     {"remedy", .only = OPTION(REMEDY_NONE)},                                               \
     {"unknowns", .only = OPTION(UNKNOWNS_AUTO) | OPTION(UNKNOWNS_POINTS)}
+
+/* The options that shell and solids share. */
+#define OPTIONS_CONTINUUM                                                                  \
+    {"points"}, {"degree"}, {"gauss"}, {"solver"}, {"preconditioner"}, {"newton"},         \
+    {"viscosity"},                                                                         \
+    {"substeps", .with = "integrator", .of = OPTION(INTEGRATOR_LEAPFROG)},                 \
+    {"integrator", .only = OPTION(INTEGRATOR_IMPLICIT) | OPTION(INTEGRATOR_LEAPFROG),      \
+     .with = "kinematics", .of = OPTION(KINEMATICS_NONLINEAR)}
 
 extern const struct schema_key option_shared[];
 

@@ -36,6 +36,8 @@ struct schema_key {
     const char *const *words;       /* words by value, NULL ends; in place of it:      */
     const char *(*word)(int value); /* "unknown" beyond the last                       */
     unsigned only;                  /* bits of the words that a model has; 0: all      */
+    const char *with;               /* an option that is set needs another, of ...     */
+    unsigned of;                    /* ... these words                                 */
     const struct schema_key *keys;  /* keys of a SECTION                               */
     /* SPECIAL: reads the node. SECTION: checks what was read; optional. */
     enum status (*read)(const struct schema_key *key, const struct yaml_tree *node,

@@ -465,8 +465,7 @@ void pb_motion_energy(const void *motion, struct energy *energy)
 
 /* clang-format off */
 static const struct schema_key options[] = {
-    OPTIONS_NET, {"solver"}, {"preconditioner"}, {"parameters"}, {"precision"},
-
+    OPTIONS_NET, {"iterations"}, {"parameters"}, {"precision"},
     {"projection", "projection of constraints on positions",
      OPTION_WORDS([PROJECTION_XPBD] = "xpbd", [PROJECTION_PBD] = "pbd"),
      OPTION_OWN(pb_own, projection)},

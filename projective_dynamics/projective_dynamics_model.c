@@ -8,7 +8,7 @@ enum { TOLERANCE_ITERATIONS = 1000000 }; /* at most, where a tolerance ends them
 
 /* clang-format off */
 static const struct schema_key options[] = {
-    OPTIONS_NET, {"parameters"}, {"tolerance"},
+    OPTIONS_NET, {"iterations"}, {"parameters"}, {"tolerance"},
     {"solver", .only = OPTION(SOLVER_AUTO) | OPTION(SOLVER_BANDED) | OPTION(SOLVER_CHOLMOD)},
     {"integrator", .only = OPTION(INTEGRATOR_IMPLICIT) | OPTION(INTEGRATOR_BDF2)},
     {"constraint", "constraints that resist stretching", SCHEMA_WORD,

@@ -532,13 +532,10 @@ out:
 
 /* clang-format off */
 static const struct schema_key options[] = {
-    {"points"}, {"degree"}, {"gauss"}, {"knots_u"}, {"knots_v"}, {"solver"},
-    {"preconditioner"}, {"newton"}, {"viscosity"}, {"substeps"},
+    OPTIONS_CONTINUUM, {"knots_u"}, {"knots_v"}, {"contact"},
     {"kinematics", .only = OPTION(KINEMATICS_LINEAR) | OPTION(KINEMATICS_NONLINEAR)},
     {"remedy", .only = OPTION(REMEDY_NONE) | OPTION(REMEDY_SELECTIVE)},
     {"unknowns", .only = OPTION(UNKNOWNS_AUTO) | OPTION(UNKNOWNS_POINTS)},
-    {"integrator", .only = OPTION(INTEGRATOR_IMPLICIT) | OPTION(INTEGRATOR_LEAPFROG)},
-    {"contact"},
     {NULL}};
 /* clang-format on */
 
@@ -668,7 +665,7 @@ static enum status refuse(const struct scene *scene, const struct discretization
                            "pressure that follows the normal: with kinematics=nonlinear "
                            "only");
     st = check_remedy(d, why);
-    return st == STATUS_OK ? march_refuse(d, why) : st;
+    return st == STATUS_OK ? model_refuse_options(d, why) : st;
 }
 
 /* Makes the flat sheet: control points at Greville abscissae, parameter = coordinate. */

@@ -174,18 +174,22 @@ static void tri_motion_energy(const void *state, struct energy *energy)
 
 /* clang-format off */
 static const struct schema_key options[] = {
-    OPTIONS_NET, {"solver"}, {"preconditioner"}, {"precision"},
+    OPTIONS_NET, {"solver"}, {"preconditioner"},
+    {"iterations", .with = "integrator", .of = OPTION(INTEGRATOR_IMPLICIT)},
+    {"precision", .with = "integrator", .of = OPTION(INTEGRATOR_LEAPFROG)},
     {"integrator", .only = OPTION(INTEGRATOR_MOMENTUM) | OPTION(INTEGRATOR_IMPLICIT) |
                            OPTION(INTEGRATOR_LEAPFROG)},
     {"bending", .only = OPTION(BENDING_QUADRATIC) | OPTION(BENDING_HINGE) |
-                        OPTION(BENDING_MIDEDGE)},
+                        OPTION(BENDING_MIDEDGE),
+     .with = "precision", .of = OPTION(PRECISION_DOUBLE)},
     {"mesh"}, {"seed"}, {"refine"},
     {"membrane", "membrane strain of triangles",
      OPTION_WORDS([MEMBRANE_GREEN] = "green", [MEMBRANE_COROTATIONAL] = "corotational",
                   [MEMBRANE_BARAFF_WITKIN] = "baraff_witkin"),
      OPTION_OWN(tri_own, membrane)},
     {"arc", "edges longer than their chords by the curvature along them",
-     OPTION_WORDS([TRI_ARC_OFF] = "off", [TRI_ARC_ON] = "on"), OPTION_OWN(tri_own, arc)},
+     OPTION_WORDS([TRI_ARC_OFF] = "off", [TRI_ARC_ON] = "on"), OPTION_OWN(tri_own, arc),
+     .with = "bending", .of = OPTION(BENDING_MIDEDGE)},
     {NULL}};
 /* clang-format on */
 
@@ -199,8 +203,6 @@ static enum status refuse_mesh(const struct scene *scene, const struct discretiz
     if (grid && (d->seed || d->refine))
         return status_fail(why, STATUS_INPUT, "%s: of a mesh that is no grid",
                            d->seed ? "seed" : "refine");
-    if (OWN(tri_own, d)->arc == TRI_ARC_ON && d->bending != BENDING_MIDEDGE)
-        return status_fail(why, STATUS_INPUT, "arc: with bending=midedge only");
     if (grid && d->bending != BENDING_MIDEDGE)
         return STATUS_OK;
     if (scene_sheets(scene) > 1 || scene->shape != SCENE_FLAT)
@@ -224,12 +226,6 @@ static enum status refuse(const struct scene *scene, const struct discretization
     TRY(model_refuse_net(scene, d, why));
     TRY(contact_rest_refuse(scene, why));
     TRY(refuse_mesh(scene, d, why));
-    if (d->precision == PRECISION_SINGLE && d->integrator != INTEGRATOR_LEAPFROG)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "precision=single: with integrator=leapfrog only");
-    if (d->precision == PRECISION_SINGLE && d->bending != BENDING_QUADRATIC)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "precision=single: with bending=quadratic only");
     if (scene_needs(scene) & SCENE_NEED_OWN_MATERIALS &&
         (d->integrator == INTEGRATOR_LEAPFROG || d->bending == BENDING_HINGE))
         return status_fail(why, STATUS_UNSUPPORTED,
@@ -252,9 +248,6 @@ static enum status refuse(const struct scene *scene, const struct discretization
                            "a fabric whose warp runs along neither edge couples stretch to "
                            "shear: integrator=momentum or implicit only, and "
                            "membrane=green or corotational");
-    if (d->iterations && d->integrator != INTEGRATOR_IMPLICIT)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "iterations: with integrator=implicit only");
 out:
     return st;
 }

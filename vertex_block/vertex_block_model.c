@@ -245,14 +245,14 @@ void vb_motion_energy(const void *motion, struct energy *energy)
 
 /* clang-format off */
 static const struct schema_key options[] = {
-    OPTIONS_NET, {"solver"}, {"preconditioner"},
+    OPTIONS_NET, {"iterations"},
     {"bending", .only = OPTION(BENDING_QUADRATIC) | OPTION(BENDING_HINGE)},
     {"elements", "elements of the membrane",
      OPTION_WORDS([VB_TRIANGLES] = "triangles", [VB_SPRINGS] = "springs"),
-     OPTION_OWN(vb_own, elements)},
+     OPTION_OWN(vb_own, elements), .with = "bending", .of = OPTION(BENDING_QUADRATIC)},
     {"hinge_scale", "stiffness of hinges: the scene's, or proportional to the cells' width",
      OPTION_WORDS([VB_MATCHED] = "matched", [VB_EDGE_LENGTH] = "edge_length"),
-     OPTION_OWN(vb_own, hinge_scale)},
+     OPTION_OWN(vb_own, hinge_scale), .with = "bending", .of = OPTION(BENDING_HINGE)},
     {"chebyshev", "spectral radius of a sweep, to accelerate by; 0: no acceleration",
      SCHEMA_NUMBER, .low = 0, .high = 0.9999, OPTION_OWN(vb_own, chebyshev)},
     {NULL}};
@@ -273,9 +273,6 @@ static enum status refuse(const struct scene *scene, const struct discretization
         return status_fail(why, STATUS_UNSUPPORTED,
                            "unsupported: no damping by stiffness (rayleigh beta): that of "
                            "Chen et al. would resist rigid turns, too");
-    if (own->hinge_scale == VB_EDGE_LENGTH && d->bending != BENDING_HINGE)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "hinge_scale=edge_length: with bending=hinge only");
     if (d->bending == BENDING_HINGE && scene->is_fabric)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "bending=hinge bends alike about every axis; for a fabric use "
@@ -284,9 +281,6 @@ static enum status refuse(const struct scene *scene, const struct discretization
         return status_fail(why, STATUS_UNSUPPORTED,
                            "elements=springs: springs along the edges can't couple stretch "
                            "to shear, as a fabric does whose warp runs along neither");
-    if (own->elements == VB_SPRINGS && d->bending == BENDING_HINGE)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "elements=springs: with bending=quadratic only");
 out:
     return st;
 }

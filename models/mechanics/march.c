@@ -13,17 +13,6 @@ const double march_lag = 1.0 / 16; /* integrator_momentum.c */
 
 /* --- life ----------------------------------------------------------------------------- */
 
-enum status march_refuse(const struct discretization *d, struct message *why)
-{
-    if (d->integrator == INTEGRATOR_LEAPFROG && d->kinematics != KINEMATICS_NONLINEAR)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "integrator=leapfrog: with kinematics=nonlinear only, not %s",
-                           option_kinematics[d->kinematics]);
-    if (d->integrator != INTEGRATOR_LEAPFROG && d->substeps)
-        return status_fail(why, STATUS_INPUT, "substeps: with integrator=leapfrog only");
-    return model_refuse_options(d, why);
-}
-
 static const struct march_integrator *integrator_of(const struct discretization *d)
 {
     static const struct march_integrator *const row[] = {

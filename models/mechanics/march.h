@@ -142,10 +142,6 @@ extern const struct march_integrator integrator_newmark, integrator_printed,
 /* The viscosity of bodies that need one. */
 extern const double march_lag;
 
-/* Refuses what model_refuse_options does, and an integrator, kinematics and number of
- * substeps that do not go together. */
-enum status march_refuse(const struct discretization *d, struct message *why);
-
 /* Initialises at rest, of zeros but what the owner sets; *m must stay where it is: it holds
  * pointers into itself. march_clear follows a failure, too. */
 enum status march_init(struct march *m, const struct discretization *d,

@@ -142,7 +142,7 @@ static void add_force(const void *self, int thread, int row, double *force)
             force[3 * a + c] += strain[SPRINGS * m + 3 * j + c];
     }
     for (int n = soft->row_at[row]; n < soft->row_at[row + 1]; n++)
-        spring_soft_force(&t->soft, n, soft_strain(s, thread, row, n), 1, force);
+        spring_soft_force(&t->soft, n, soft_strain(s, thread, row, n), force);
 }
 
 /* Adds all I + along e e' between a and the n-th ahead of it to K, in its four blocks. */

@@ -100,7 +100,7 @@ static struct plate plate_of(const struct law *law)
 
     return (struct plate){{B[LAW_11], B[LAW_22]},
                           sqrt(B[LAW_11] * B[LAW_22]),
-                          law_cross(law, LAW_BENDING),
+                          law_cross(law),
                           sqrt(sqrt(B[LAW_11] / B[LAW_22]))};
 }
 

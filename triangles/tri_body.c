@@ -487,7 +487,7 @@ static void add_force(const void *self, int thread, int strip, double *force)
         spring_form_pull(&net->forms, k, spring_form_of(&net->forms, k)->stiffness, e,
                          force);
     for (int k = soft_at[strip]; k < soft_at[strip + 1]; k++, e += 3)
-        spring_soft_force(&net->soft, k, e, 1, force);
+        spring_soft_force(&net->soft, k, e, force);
     e = r->strain + b->hinges_from;
     for (int k = net->hinge_at[strip]; k < net->hinge_at[strip + 1]; k++, e++) {
         const struct tri_hinge *h = &net->hinges[k];

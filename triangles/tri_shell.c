@@ -617,7 +617,7 @@ static void lean_tangent(const struct tri_shell *s, const struct tri_shell_trian
 /* Adds the derivatives of what a triangle has of the curvature along its side i to
  * row[3 count], of the nodes listed. */
 static void bow_gradient(const struct tri_shell *s, const struct tri_shell_triangle *t,
-                         int i, int count, const int *list, double factor, double *row)
+                         int i, int count, const int *list, double *row)
 {
     double A[3][3 * NODES];
 
@@ -629,9 +629,8 @@ static void bow_gradient(const struct tri_shell *s, const struct tri_shell_trian
         while (at < count && list[at] != t->node[p])
             at++;
         for (int c = 0; at < count && c < 3; c++)
-            row[3 * at + c] +=
-                factor * (t->T[i][0] * A[0][3 * p + c] + t->T[i][1] * A[1][3 * p + c] +
-                          t->T[i][2] * A[2][3 * p + c]);
+            row[3 * at + c] += t->T[i][0] * A[0][3 * p + c] + t->T[i][1] * A[1][3 * p + c] +
+                               t->T[i][2] * A[2][3 * p + c];
     }
 }
 
@@ -647,10 +646,10 @@ static void arc_tangent(const struct tri_shell *s, int number,
     for (int i = 0; i < 3; i++) {
         const struct mesh_edge *e = &s->mesh->edge[s->mesh->side[number][i]];
         const int other = e->triangle[0] == number ? e->triangle[1] : e->triangle[0];
-        bow_gradient(s, t, i, count, list, 1, bow[i]);
+        bow_gradient(s, t, i, count, list, bow[i]);
         for (int j = 0; other >= 0 && t->part[i] < 1 && j < 3; j++)
             if (s->triangle[other].arc[j] == t->arc[i])
-                bow_gradient(s, &s->triangle[other], j, count, list, 1, bow[i]);
+                bow_gradient(s, &s->triangle[other], j, count, list, bow[i]);
         for (int n = 0; n < 3 * count; n++)
             G[i][n] = bow[i][n] * s->bow[t->arc[i]] * t->square[i] / 12;
         edge_of(t, i, s->x[1], d); /* the first three of the list are the points */

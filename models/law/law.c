@@ -95,9 +95,9 @@ static void law_mean(const struct law_fabric *f, double *young, double *poisson)
     *young = (along - cross * *poisson) / law_thickness(f);
 }
 
-double law_cross(const struct law *law, enum law_part part)
+double law_cross(const struct law *law)
 {
-    const double *m = law->matrix[part];
+    const double *m = law->matrix[LAW_BENDING];
 
     return law->isotropic ? law->poisson : m[LAW_12] / sqrt(m[LAW_11] * m[LAW_22]);
 }

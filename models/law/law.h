@@ -75,8 +75,8 @@ double law_soft_moment(const struct law_soft *s, double k, double *tangent);
 /* Returns the effective thickness [m]. */
 double law_thickness(const struct law_fabric *fabric);
 
-/* Returns matrix_12 over the mean of matrix_11 and matrix_22: nu of an isotropic sheet. */
-double law_cross(const struct law *law, enum law_part part);
+/* Returns B12 over the mean of B11 and B22: nu of an isotropic sheet. */
+double law_cross(const struct law *law);
 
 /* Tells whether warp and weft run along u and v, either way round. */
 bool law_is_aligned(const struct law *law);

@@ -222,10 +222,12 @@ double frequency_limit(double omega, double beta)
     return omega > 0 ? sqrt(beta * beta + 4 / (omega * omega)) - beta : INFINITY;
 }
 
-enum status frequency_steps(double frame, double limit, double share, int asked, int *steps,
+const double frequency_chosen = 0.95;
+
+enum status frequency_steps(double frame, double limit, int asked, int *steps,
                             struct message *why)
 {
-    const double n = asked ? asked : fmax(1, ceil(frame / (share * limit)));
+    const double n = asked ? asked : fmax(1, ceil(frame / (frequency_chosen * limit)));
 
     if (!(n <= FREQUENCY_MOST_STEPS))
         return status_fail(why, STATUS_INPUT,

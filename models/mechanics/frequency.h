@@ -32,9 +32,12 @@ enum status frequency_of_body(const struct frequency_body *body, double *omega);
  * frequency [rad/s] and stiffness damping beta [s]: INFINITY if nothing can move. */
 double frequency_limit(double omega, double beta);
 
-/* Chooses the number of steps of a frame [s], `asked` or, if 0, as many as keep a share of
- * the limit. STATUS_INPUT with a sentence if they are more than a million. */
-enum status frequency_steps(double frame, double limit, double share, int asked, int *steps,
+/* The chosen step, as a share of the greatest stable one about rest. */
+extern const double frequency_chosen;
+
+/* Chooses the number of steps of a frame [s], `asked` or, if 0, as many as keep that share
+ * of the limit. STATUS_INPUT with a sentence if they are more than a million. */
+enum status frequency_steps(double frame, double limit, int asked, int *steps,
                             struct message *why);
 
 #endif

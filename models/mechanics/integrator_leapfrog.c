@@ -31,9 +31,6 @@
 #include "models/room.h"
 #include "models/vector.h"
 
-/* The chosen step, as a share of the greatest stable one about rest. */
-static const double CHOSEN = 0.95;
-
 /* The most times that the steps of a frame are doubled. */
 enum { DOUBLINGS = 8 };
 
@@ -121,7 +118,7 @@ static enum status choose_step(struct leapfrog *l, struct message *why)
     TRY(frequency_largest(m->graph, m->supports, l->a, m->beyond, (const double(*)[9])m->K,
                           &omega));
     l->limit = frequency_limit(omega, m->beta);
-    TRY(frequency_steps(m->dt, l->limit, CHOSEN, l->asked, &l->substeps, why));
+    TRY(frequency_steps(m->dt, l->limit, l->asked, &l->substeps, why));
 out:
     return st;
 }

@@ -47,34 +47,20 @@ void net_contact_frame(struct net_contact *c)
         memset(c->frame.force, 0, sizeof c->frame.force);
 }
 
-void net_contact_begin(struct net_contact *c, double t, const double *start)
-{
-    if (c)
-        contact_begin(&c->law, t - c->dt, c->dt, start);
-}
-
-void net_contact_end(struct net_contact *c)
-{
-    struct model_contact now;
-
-    if (!c)
-        return;
-    contact_report(&c->law, &now);
-    for (int i = 0; i < 3; i++)
-        now.force[i] = c->frame.force[i] + now.force[i] / c->steps;
-    c->frame = now;
-}
-
 enum status net_contact_project(struct net_contact *c, double t, const double *start,
                                 double *x)
 {
     enum status st = STATUS_OK;
+    struct model_contact now;
 
     if (!c)
         return st;
-    net_contact_begin(c, t, start);
+    contact_begin(&c->law, t - c->dt, c->dt, start);
     TRY(contact_project(&c->law, c->compliance, c->supports->free_index, x));
-    net_contact_end(c);
+    contact_report(&c->law, &now);
+    for (int i = 0; i < 3; i++)
+        now.force[i] = c->frame.force[i] + now.force[i] / c->steps;
+    c->frame = now;
 out:
     return st;
 }

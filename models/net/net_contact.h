@@ -26,14 +26,8 @@ void net_contact_free(struct net_contact *c);
 /* Begins a frame. */
 void net_contact_frame(struct net_contact *c);
 
-/* Begins a step that ends at time t [s] and starts at start[nodes][3]. */
-void net_contact_begin(struct net_contact *c, double t, const double *start);
-
-/* Adds the contact of the step, as last found or projected, to that of the frame. */
-void net_contact_end(struct net_contact *c);
-
-/* Begins, projects and ends a step: moves x[nodes][3] from where it would end without
- * contact. */
+/* Moves x[nodes][3] from where a step would end at time t [s] without contact, which began
+ * at start[nodes][3], and adds its contact to that of the frame. */
 enum status net_contact_project(struct net_contact *c, double t, const double *start,
                                 double *x);
 

@@ -315,12 +315,11 @@ static double pull_of(const struct spring_soft *s, int k, const double value[3],
     return form->stiffness * secant;
 }
 
-void spring_soft_force(const struct spring_soft *s, int k, const double value[3],
-                       double sign, double *f)
+void spring_soft_force(const struct spring_soft *s, int k, const double value[3], double *f)
 {
     double along;
 
-    spring_form_pull(&s->forms, k, sign * pull_of(s, k, value, &along), value, f);
+    spring_form_pull(&s->forms, k, pull_of(s, k, value, &along), value, f);
 }
 
 void spring_soft_tangent(const struct spring_soft *s, int k, const double value[3],

@@ -132,12 +132,12 @@ enum status spring_soft_init(struct spring_soft *s, const struct scene *scene,
                              const struct mesh *net);
 void spring_soft_clear(struct spring_soft *s);
 
-/* Return, add or subtract [J], [N], [N/m] of form k at its value: the energy; `sign` times
- * its derivative to f[nodes][3]; `factor` times the second derivative to K, by the pairs of
+/* Return or add [J], [N], [N/m] of form k at its value: the energy; its derivative to
+ * f[nodes][3]; `factor` times the second derivative to K, by the pairs of
  * the graph, without those that it leaves out. */
 double spring_soft_energy(const struct spring_soft *s, int k, const double value[3]);
 void spring_soft_force(const struct spring_soft *s, int k, const double value[3],
-                       double sign, double *f);
+                       double *f);
 void spring_soft_tangent(const struct spring_soft *s, int k, const double value[3],
                          double factor, const struct blocks *graph, double (*K)[9]);
 

@@ -9,8 +9,8 @@
 #include "models/mechanics/march_rest.h"
 #include "models/room.h"
 
-/* Fractions of the greatest stable step: the one chosen, and the largest tolerated. */
-static const double CHOSEN = 0.95, BORNE = 0.98;
+/* The largest tolerated fraction of the greatest stable step. */
+static const double BORNE = 0.98;
 
 /* The steps of a frame become fewer only by more than a tenth. */
 static const double FEWER = 0.9;
@@ -239,7 +239,7 @@ static enum status make(struct march *m, const struct discretization *d,
     TRY(make_sweep(l, d->precision, &l->sweep));
     TRY(net_meet(l->net));
     l->limit = frequency_limit(omega, l->net->beta);
-    TRY(frequency_steps(l->scene->step, l->limit, CHOSEN, d->substeps, &substeps, why));
+    TRY(frequency_steps(l->scene->step, l->limit, d->substeps, &substeps, why));
     spring_sweep_follow(l->sweep, l->net->x, l->net->v);
     set_step(l, substeps);
     start(l, l->net->x, l->net->v);
@@ -350,7 +350,7 @@ out:
 static void watch(struct spring_leapfrog *l, const double *x)
 {
     double more = stiffer(l, x);
-    double borne = needed(l, BORNE, more), chosen = needed(l, CHOSEN, more);
+    double borne = needed(l, BORNE, more), chosen = needed(l, frequency_chosen, more);
 
     if (l->asked || !isfinite(more) || chosen > FREQUENCY_MOST_STEPS)
         return;

@@ -62,7 +62,7 @@ void spring_plate_mean(const struct scene *scene, const double cell[2], double w
     const struct law law = scene_law(scene);
     const double *B = law.matrix[LAW_BENDING];
 
-    mean_of(law_cross(&law, LAW_BENDING), B[LAW_11] / B[LAW_22], cell, weight);
+    mean_of(law_cross(&law), B[LAW_11] / B[LAW_22], cell, weight);
 }
 
 static void add_mean(struct plate *p, int i, int j)
@@ -106,7 +106,7 @@ static void use_sheet(struct plate *p, const struct scene *scene, int sheet)
 
     p->stiffness[0] = B[LAW_11], p->stiffness[1] = B[LAW_22];
     p->twist = B[LAW_33];
-    p->poisson = law_cross(&law, LAW_BENDING);
+    p->poisson = law_cross(&law);
     p->skew[0] = p->skew[1] = 0;
     if (!law_is_aligned(&law)) {
         const double det = B[LAW_11] * B[LAW_22] - B[LAW_12] * B[LAW_12];

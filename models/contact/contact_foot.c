@@ -480,7 +480,8 @@ static const double *start_of(const struct contact_surface *s, double u)
 {
     const double *start = s->line[0];
 
-    while (start + s->rows < s->line[0] + s->points[0] && u >= start[s->rows])
+    while (start + s->rows < s->line[0] + s->points[0] &&
+           u > (start[s->rows - 1] + start[s->rows]) / 2)
         start += s->rows;
     return start;
 }
@@ -603,10 +604,11 @@ static void refine_net(const struct contact_sheet *sheet, const struct contact_p
     fill(sheet, place, &face, triangle, share, foot, node, weight);
 }
 
-static int surface_at(const struct contact_surface *s, const double *x, double u, double v,
-                      int *node, double *weight, double y[3])
+static int surface_at(const struct contact_surface *s, const struct contact_ends *e,
+                      const double *x, double u, double v, int *node, double *weight,
+                      double y[3])
 {
-    const int count = s->row(s->self, u, v, node, weight);
+    const int count = contact_surface_row(s, e, u, v, node, weight);
 
     y[0] = y[1] = y[2] = 0;
     for (int k = 0; k < count; k++)
@@ -617,7 +619,7 @@ static int surface_at(const struct contact_surface *s, const double *x, double u
 
 /* The surface near (u,v) to second order, by differences of its points. */
 struct bend {
-    double low, high; /* u of the sheet's ends                                         */
+    struct contact_ends ends; /* the sheet's                                           */
     double u, v;
     double y[3], d[2][3], dd[3][3]; /* value; by u, v; by uu, uv, vv                   */
 };
@@ -627,20 +629,17 @@ struct bend {
 enum { MOST_BENDS = 8 };
 static const double settled = 1e-7;
 
-/* The step of differences along u and v, in sheets: errors of 1e-8 in slopes and in
- * curvatures. */
-static const double spread = 0x1p-13;
-
 static void bend_at(const struct contact_surface *s, const double *x, double u, double v,
                     int *node, double *weight, struct bend *b)
 {
-    const double step = spread * (b->high - b->low);
+    const double step = b->ends.step[0], spread = b->ends.step[1];
     double p[3][3][3];
 
-    b->u = clamp(u, b->low + step, b->high - step), b->v = clamp(v, spread, 1 - spread);
+    b->u = contact_surface_middle(&b->ends, 0, u);
+    b->v = contact_surface_middle(&b->ends, 1, v);
     for (int k = 0; k < 9; k++)
-        surface_at(s, x, b->u + (k / 3 - 1) * step, b->v + (k % 3 - 1) * spread, node,
-                   weight, p[k / 3][k % 3]);
+        surface_at(s, &b->ends, x, b->u + (k / 3 - 1) * step, b->v + (k % 3 - 1) * spread,
+                   node, weight, p[k / 3][k % 3]);
     for (int i = 0; i < 3; i++) {
         b->y[i] = p[1][1][i];
         b->d[0][i] = (p[2][1][i] - p[0][1][i]) / (2 * step);
@@ -652,11 +651,12 @@ static void bend_at(const struct contact_surface *s, const double *x, double u, 
     }
 }
 
-/* Moves (u,v) to the closest point of the bend by one step of Newton's method within the
- * sheet; returns the larger change. */
+/* Moves (u,v) to the closest point of the bend by one step of Newton's method, as far as
+ * the sheet goes on; returns the larger change. */
 static double bend_step(const struct bend *b, const double at[3], double *u, double *v)
 {
     const double du = *u - b->u, dv = *v - b->v;
+    const double *least = b->ends.least, *most = b->ends.most;
     double rest[3], su[3], sv[3];
 
     for (int i = 0; i < 3; i++) {
@@ -675,10 +675,10 @@ static double bend_step(const struct bend *b, const double at[3], double *u, dou
     const double det = uu * vv - uv * uv;
     if (!(det > 0))
         return 0;
-    double new_u = clamp(*u + (vv * g[0] - uv * g[1]) / det, b->low, b->high);
-    double new_v = clamp(*v + (g[1] - uv * (new_u - *u)) / vv, 0, 1);
-    if (new_v == 0 || new_v == 1)
-        new_u = clamp(*u + (g[0] - uv * (new_v - *v)) / uu, b->low, b->high);
+    double new_u = clamp(*u + (vv * g[0] - uv * g[1]) / det, least[0], most[0]);
+    double new_v = clamp(*v + (g[1] - uv * (new_u - *u)) / vv, least[1], most[1]);
+    if (new_v == least[1] || new_v == most[1])
+        new_u = clamp(*u + (g[0] - uv * (new_v - *v)) / uu, least[0], most[0]);
     const double change = fmax(fabs(new_u - *u), fabs(new_v - *v));
     *u = new_u, *v = new_v;
     return change;
@@ -690,11 +690,10 @@ static void refine_smooth(const struct contact_sheet *sheet,
 {
     const struct contact_surface *s = sheet->surface;
     const double *x = sheet->x, *at = sheet->y + 3 * (long)foot->sample;
-    const double *end = s->line[0] + place->triangle / 2 / s->points[1] / s->rows * s->rows;
     double u, v, from[3], way[3], normal[3];
-    struct bend b = {.low = *end, .high = end[s->rows - 1]};
 
     contact_foot_place(s, place->triangle, place->share, &u, &v);
+    struct bend b = {.ends = contact_surface_ends(s, u)};
     const double start_u = u, start_v = v;
     for (int turn = 0; turn < MOST_BENDS; turn++) {
         const double u_old = u, v_old = v;
@@ -704,11 +703,11 @@ static void refine_smooth(const struct contact_sheet *sheet,
         if (fabs(u - u_old) + fabs(v - v_old) < settled)
             break;
     }
-    if (fabs(u - start_u) * ((s->rows - 1) / (b.high - b.low)) > astray ||
+    if (fabs(u - start_u) * ((s->rows - 1) / (b.ends.high[0] - b.ends.low[0])) > astray ||
         fabs(v - start_v) * (s->points[1] - 1) > astray)
         u = start_u, v = start_v;
     foot->u = u, foot->v = v;
-    foot->count = surface_at(s, x, u, v, node, weight, from);
+    foot->count = surface_at(s, &b.ends, x, u, v, node, weight, from);
     vector_between(from, at, way);
     foot->distance = vector_length(way);
     vector_cross(b.d[0], b.d[1], normal);

@@ -7,8 +7,9 @@
  * The closest point of those is refined, so that foot, distance and normal move
  * continuously with the sheet. Positions y[count][3] of the samples come from x[nodes][3].
  *
- * A smooth surface (rows of several nodes) has the foot that is closest on itself: D is
- * then once continuously differentiable, and the normal its gradient.
+ * A smooth surface (rows of several nodes) has the foot that is closest on itself, and on
+ * where it goes on straight beyond its ends: D is then once continuously differentiable,
+ * and the normal its gradient.
  *
  * A net is its triangles, and has the foot at which y - foot is parallel to the normal
  * interpolated between the corners (from central differences). The closest point of the
@@ -19,11 +20,11 @@
  * kept exactly; it differs from the energy's gradient by the angle between face and
  * normal, of first order in the cell's size and of mean 0 across a cell.
  *
- * A foot on the border of a net goes on beyond it, along the plane of the triangle there,
- * to where the way is normal: its weights are then below 0 and above 1, and momenta are
- * kept. The closest point would be the edge, from which a sample that has come over it is
- * pushed off. In the limit of fine nets that is a force of the law's potential a length of
- * edge, p r (1 - x) / 3, but a net has a row of samples along each edge that it takes at
+ * A foot on the border of a net goes on beyond it, too, along the plane of the triangle
+ * there, to where the way is normal: its weights are then below 0 and above 1, and momenta
+ * are kept. The closest point would be the edge, from which a sample that has come over it
+ * is pushed off. In the limit of fine nets that is a force of the law's potential a length
+ * of edge, p r (1 - x) / 3, but a net has a row of samples along each edge that it takes at
  * once: cards that lie on each other without friction were unstable, at a rate of sqrt(g /
  * 2 n t) a second on n cells, and parted at sqrt(g r (1 - x) / 3 n).
  */

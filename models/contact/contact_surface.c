@@ -1,5 +1,6 @@
 #include "models/contact/contact_surface.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -139,4 +140,87 @@ void contact_surface_at(const struct contact_surface *s, int sample, const doubl
     for (int k = 0; k < s->used[sample]; k++)
         for (int i = 0; i < 3; i++)
             y[i] += shape[k] * x[3 * (size_t)node[k] + i];
+}
+
+struct contact_ends contact_surface_ends(const struct contact_surface *s, double u)
+{
+    /* Two samples beyond the ends of the line, and never as far as the next sheet. */
+    const double spread = 0x1p-13, beyond = 2;
+    const double *end = s->line[0];
+    struct contact_ends e = {.high = {1, 1}};
+
+    while (end + s->rows < s->line[0] + s->points[0] &&
+           u > (end[s->rows - 1] + end[s->rows]) / 2)
+        end += s->rows;
+    e.low[0] = end[0], e.high[0] = end[s->rows - 1];
+    for (int d = 0; d < 2; d++) {
+        const int cells = (d ? s->points[1] : s->rows) - 1;
+        const bool ends = s->width > CONTACT_SURFACE_NODES || (d && s->around > 0);
+        double on = ends ? 0 : beyond * (e.high[d] - e.low[d]) / cells;
+        if (d == 0 && s->rows < s->points[0])
+            on = fmin(on, (s->line[0][s->rows] - s->line[0][s->rows - 1]) / 2);
+        e.least[d] = e.low[d] - on, e.most[d] = e.high[d] + on;
+        e.step[d] = spread * (e.high[d] - e.low[d]);
+    }
+    return e;
+}
+
+double contact_surface_middle(const struct contact_ends *e, int d, double at)
+{
+    if (at < e->low[d])
+        return fmin(at, e->low[d] - e->step[d]);
+    if (at > e->high[d])
+        return fmax(at, e->high[d] + e->step[d]);
+    return fmin(fmax(at, e->low[d] + e->step[d]), e->high[d] - e->step[d]);
+}
+
+/* Fills the places within the ends, and their shares, that amount to a place which may lie
+ * beyond; returns how many. */
+static int go_on(const struct contact_ends *e, int d, double at, double place[3],
+                 double share[3])
+{
+    const double border = fmin(fmax(at, e->low[d]), e->high[d]);
+    /* Longer steps than those of differences: shares are round-off times their number. */
+    const double step = 8 * e->step[d], inward = at > border ? -step : step;
+    const double t = (at - border) / inward;
+
+    for (int n = 0; n < 3; n++)
+        place[n] = border + n * inward;
+    share[0] = 1 - 1.5 * t, share[1] = 2 * t, share[2] = -0.5 * t;
+    return t != 0 ? 3 : 1;
+}
+
+/* Adds a row, times `share`, to that of `used` nodes; returns how many there are then. */
+static int add_row(const struct contact_surface *s, double u, double v, double share,
+                   int used, int *node, double *shape)
+{
+    double more[CONTACT_SURFACE_NODES];
+    int own[CONTACT_SURFACE_NODES];
+    const int count = s->row(s->self, u, v, own, more);
+
+    for (int k = 0, n; k < count; k++) {
+        for (n = 0; n < used && node[n] != own[k]; n++)
+            ;
+        if (n == used)
+            node[used] = own[k], shape[used++] = 0;
+        shape[n] += share * more[k];
+    }
+    return used;
+}
+
+int contact_surface_row(const struct contact_surface *s, const struct contact_ends *e,
+                        double u, double v, int *node, double *shape)
+{
+    double place[2][3], share[2][3];
+    const int along = go_on(e, 0, u, place[0], share[0]),
+              across = go_on(e, 1, v, place[1], share[1]);
+    int used = 0;
+
+    if (along * across == 1)
+        return s->row(s->self, u, v, node, shape);
+    for (int i = 0; i < along; i++)
+        for (int j = 0; j < across; j++)
+            used = add_row(s, place[0][i], place[1][j], share[0][i] * share[1][j], used,
+                           node, shape);
+    return used;
 }

@@ -16,6 +16,9 @@
  * made with. Nodes differ. */
 typedef int contact_row(const void *self, double u, double v, int *node, double *shape);
 
+/* The most nodes of a row of a surface that goes on beyond its ends. */
+enum { CONTACT_SURFACE_NODES = 256 };
+
 struct contact_surface {
     const void *self; /* of `row`                                            borrowed  */
     contact_row *row;
@@ -68,6 +71,24 @@ void contact_surface_clear(struct contact_surface *s);
 /* Fills line[(breaks - 1) per + 1] with `per` samples a span of the ascending
  * break[breaks]; returns how many. */
 int contact_surface_line(int breaks, const double *at, int per, double *line);
+
+/* How far a smooth surface goes on beyond its ends, straight on [low, high] along u and v,
+ * each with `step`, the step of differences along it: errors of 1e-8 in slopes and in
+ * curvatures. A sheet closed around does not go on along v. */
+struct contact_ends {
+    double low[2], high[2], least[2], most[2], step[2];
+};
+
+/* Returns those of the sheet at u. */
+struct contact_ends contact_surface_ends(const struct contact_surface *s, double u);
+
+/* Returns the place nearest to `at` along u (d = 0) or v around which all differences lie
+ * on one side of the ends. */
+double contact_surface_middle(const struct contact_ends *e, int d, double at);
+
+/* Does as the surface's row, beyond its ends, too. */
+int contact_surface_row(const struct contact_surface *s, const struct contact_ends *e,
+                        double u, double v, int *node, double *shape);
 
 /* Computes where a sample is, for nodes x[nodes][3]. */
 void contact_surface_at(const struct contact_surface *s, int sample, const double *x,

@@ -5,9 +5,8 @@
 
 #include "models/vector.h"
 
-/* The most nodes of a row; the step of differences along u and v, as contact_foot.c's. */
+/* The most nodes of a row. */
 enum { MOST_NODES = 64 };
-static const double SPREAD = 0x1p-13;
 
 static bool meets_smooth(const struct contact *c, const struct contact_touch *t)
 {
@@ -43,18 +42,18 @@ static void add_turning(const struct contact *c, const struct contact_touch *t,
  * of the weights of its nodes. */
 struct around {
     double d[2][3], dd[3][3], slope[2][MOST_NODES];
-    bool free[2]; /* the place is not at the end along u, or v                            */
+    bool free[2]; /* the place is not as far along u, or v, as the sheet goes on          */
 };
 
 /* Adds a row of the surface, `sign` times, to the slopes of the weights along d that are
  * among node[count]; returns its point. */
-static void add_row(const struct contact_surface *s, const double uv[2], const double *x,
-                    int count, const int *node, const double sign[2], struct around *a,
-                    double point[3])
+static void add_row(const struct contact_surface *s, const struct contact_ends *e,
+                    const double uv[2], const double *x, int count, const int *node,
+                    const double sign[2], struct around *a, double point[3])
 {
     double shape[MOST_NODES];
     int own[MOST_NODES];
-    const int used = s->row(s->self, uv[0], uv[1], own, shape);
+    const int used = contact_surface_row(s, e, uv[0], uv[1], own, shape);
 
     point[0] = point[1] = point[2] = 0;
     for (int k = 0; k < used; k++) {
@@ -69,23 +68,20 @@ static void add_row(const struct contact_surface *s, const double uv[2], const d
 static void look_around(const struct contact_surface *s, const double at[2],
                         const double *x, int count, const int *node, struct around *a)
 {
-    const double *end = s->line[0];
-    double p[3][3][3], low[2] = {0}, high[2] = {1, 1}, step[2], middle[2];
+    const struct contact_ends e = contact_surface_ends(s, at[0]);
+    const double *step = e.step;
+    double p[3][3][3], middle[2];
 
-    while (at[0] > end[s->rows - 1] && end + s->rows < s->line[0] + s->points[0])
-        end += s->rows;
-    low[0] = end[0], high[0] = end[s->rows - 1];
     memset(a, 0, sizeof *a);
     for (int d = 0; d < 2; d++) {
-        step[d] = SPREAD * (high[d] - low[d]);
-        middle[d] = fmin(fmax(at[d], low[d] + step[d]), high[d] - step[d]);
-        a->free[d] = at[d] > low[d] && at[d] < high[d];
+        middle[d] = contact_surface_middle(&e, d, at[d]);
+        a->free[d] = at[d] > e.least[d] && at[d] < e.most[d];
     }
     for (int k = 0; k < 9; k++) {
         const int i = k / 3 - 1, j = k % 3 - 1;
         const double uv[2] = {middle[0] + i * step[0], middle[1] + j * step[1]};
         const double sign[2] = {j ? 0 : i / (2 * step[0]), i ? 0 : j / (2 * step[1])};
-        add_row(s, uv, x, count, node, sign, a, p[k / 3][k % 3]);
+        add_row(s, &e, uv, x, count, node, sign, a, p[k / 3][k % 3]);
     }
     for (int i = 0; i < 3; i++) {
         a->d[0][i] = (p[2][1][i] - p[0][1][i]) / (2 * step[0]);

@@ -155,6 +155,7 @@ static const struct meeting cards[] = {
     {"position_based", "", false, 0, 0},
     {"triangles", KEY "integrator=leapfrog", false, 0, 0},
     {"projective_dynamics", "", false, 0, 0},
+    {"shell", "", false, 0, 0},
 };
 static const double DRIFT = 1e-3;
 

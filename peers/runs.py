@@ -128,6 +128,12 @@ def export_scene(program, scene, net, folder, changes=()):
         raise export.Refused(said(run))
 
 
+def sheets_of(text):
+    """The objects of `score --format json`: a list of several, one by itself, or none."""
+    found = json.loads(text or "[]")
+    return found if isinstance(found, list) else [found]
+
+
 def run_case(program, place, case, scenes):
     """One case on several scenes: told[scene] or why not; frames are left in a folder, scored as
     one sheet."""
@@ -154,7 +160,7 @@ def run_case(program, place, case, scenes):
                 told[scene] = {"version": "unknown", "refused": str(e)}
         run = subprocess.run([program, "score", str(frames), "--format", "json"],
                              capture_output=True, text=True)
-        sheets = {sheet["scene"]: sheet for sheet in map(json.loads, run.stdout.splitlines())}
+        sheets = {sheet["scene"]: sheet for sheet in sheets_of(run.stdout)}
     for scene in scenes:
         columns = {**about, "scene": scene, "net": nets[scene].replace(",", "x")}
         yield from baselines.case_rows(columns, told[scene], sheets.get(scene))

@@ -56,6 +56,8 @@ def rows_of_runs():
         ("frames refused", {}, {"rows": [], "refused": "no ball, no contact"}, REFUSED),
     ]:
         check(what, written(told, score) == rows)
+    check("objects of score", [len(runs.sheets_of(text)) for text in ("", "{}\n", "[{}\n,{}\n]\n")]
+          == [0, 1, 2])
     check("nothing found is said", baselines.UNEXPLAINED in written({}, {**SCORE, "diagnosis": []}))
 
 

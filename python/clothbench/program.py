@@ -37,4 +37,5 @@ def export(scene, n, m, folder=None, settings=None):
 
 def score(*words):
     """Returns what `clothbench score WORDS...` finds, a dictionary a scene."""
-    return [json.loads(line) for line in run("score", *words, "--format", "json").splitlines()]
+    found = json.loads(run("score", *words, "--format", "json"))
+    return found if isinstance(found, list) else [found]

@@ -268,6 +268,9 @@ const char *frames_scene(const struct frames *f)
     return f->scene;
 }
 
+/* Positions from here on are none of a sheet, and their squares may be no numbers. */
+static const double FARTHEST = 1e100;
+
 static enum status check_frame(struct frames *f, double t, struct message *why)
 {
     if (!isfinite(t) || (f->number > 1 && !(t > f->time)))
@@ -277,11 +280,12 @@ static enum status check_frame(struct frames *f, double t, struct message *why)
             "grow would be right",
             f->path, f->number, t, f->time);
     for (int n = 0; n < 3 * f->net.vertices; n++)
-        if (!isfinite(f->xyz[n]))
+        if (!(fabs(f->xyz[n]) < FARTHEST))
             return status_fail(why, STATUS_INPUT,
                                "%s: frame %d (t = %g s): vertex %d has %c = %g; a number "
-                               "would be right",
-                               f->path, f->number, t, n / 3 + 1, "xyz"[n % 3], f -> xyz[n]);
+                               "below %g would be right",
+                               f->path, f->number, t, n / 3 + 1, "xyz"[n % 3], f -> xyz[n],
+                               FARTHEST);
     return STATUS_OK;
 }
 

@@ -144,6 +144,8 @@ static void bad_texts(void)
         {"bare.csv", "t,u,v,x,y,z\n", "bare.csv"},
         {"nan.csv", "0,0,0,0,0,0\n0,1,0,nan,0,0\n", "frame 1 (t = 0 s)"},
         {"inf.csv", "0,0,0,0,0,0\n1,0,0,0,0,-inf\n", "frame 2 (t = 1 s)"},
+        {"far.csv", "0,0,0,0,0,0\n1,0,0,0,1e200,0\n",
+         "has y = 1e+200; a number below 1e+100"},
         {"v.csv", "0,0,0,0,0,0\n0,0,nan,0,0,0\n", "v.csv: v of vertex 2"},
         {"t.csv", "0,0,0,0,0,0\nnan,0,0,0,0,0\n", "line 2"},
         {"more.csv", "0,0,0,0,0,0\n1,0,0,0,0,0\n1,1,0,0,0,0\n",

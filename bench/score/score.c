@@ -325,18 +325,49 @@ static void make_path(struct score *s)
                    s->path + size * (size_t)n);
 }
 
-/* Measures how far the first frame is from the sheet at rest, and whether it is turned. */
+/* Fills truth[SCORE_POINTS][3] at any time. */
+static void truth_at(const struct score_truth *t, double time, double *truth)
+{
+    const struct truth *known = &t->known;
+    double weight[4];
+    const int first = score_window(known->claimed, known->time, time, weight);
+
+    memset(truth, 0, 3 * SCORE_POINTS * sizeof *truth);
+    for (int a = 0; a < 4; a++) {
+        const double *field = first + a < 0 ? t->rest : known->xyz[first + a];
+        for (int n = 0; n < 3 * SCORE_POINTS; n++)
+            truth[n] += weight[a] * field[n];
+    }
+}
+
+/* Measures how far the first frame is from the sheet at rest; and, where the truth is known
+ * then, whether it is turned from it, and which vertices stray. */
 static void take_start(struct score *s, const double *xyz)
 {
     double rest[3 * LADDER_POINTS], *part = score_view_field(&s->fine, s->fine.times);
+    const struct truth *known = &s->truth.known;
+    const bool at_rest = fabs(s->first) <= SCORE_SAME_TIME,
+               later = s->truth.moves && s->first > 0 &&
+                       s->first <= known->time[known->claimed - 1];
 
     score_coarse_rest(s, rest);
     score_map_apply(&s->fine.map, xyz, part);
     for (int n = 0; n < 3 * LADDER_POINTS; n++)
         s->begin[n % 3] += (part[n] - rest[n]) / LADDER_POINTS;
-    s->start =
-        fabs(s->first) <= SCORE_SAME_TIME ? score_rms(LADDER_POINTS, part, rest) : NAN;
-    score_start_turn(LADDER_POINTS, rest, part, s->start, s->truth.scene.length, &s->turn);
+    s->start = at_rest ? score_rms(LADDER_POINTS, part, rest) : NAN;
+    if (!at_rest && !later)
+        return;
+    double *then = arena_take(&s->arena, 3 * SCORE_POINTS, sizeof *then);
+    if (at_rest) {
+        memcpy(then, s->truth.rest, 3 * SCORE_POINTS * sizeof *then);
+    } else {
+        truth_at(&s->truth, s->first, then);
+        score_path(s, s->first, rest);
+    }
+    score_start_turn(LADDER_POINTS, rest, part, score_rms(LADDER_POINTS, part, rest),
+                     s->truth.scene.length, &s->turn);
+    if (!s->net.by_position)
+        score_start_strays(&s->truth.scene, &s->net, then, xyz, &s->strays);
 }
 
 /* Makes the net and both views of it from the first frame. */
@@ -362,8 +393,6 @@ static enum status make_net(struct score *s, const struct frames *frames,
     score_contact_begin(arena, &s->contact, scene, net, &s->net);
     make_path(s);
     take_start(s, xyz);
-    if (fabs(s->first) <= SCORE_SAME_TIME && !s->net.by_position)
-        score_start_strays(scene, &s->net, s->truth.rest, xyz, &s->strays);
 out:
     return st;
 }
@@ -462,21 +491,6 @@ void score_seen(const struct score *s, const struct score_map *map, int nu, int 
             for (int c = 0; c < 3; c++)
                 seen[3 * p + c] += weight * x[c];
         }
-}
-
-/* Fills truth[SCORE_POINTS][3] at any time. */
-static void truth_at(const struct score_truth *t, double time, double *truth)
-{
-    const struct truth *known = &t->known;
-    double weight[4];
-    const int first = score_window(known->claimed, known->time, time, weight);
-
-    memset(truth, 0, 3 * SCORE_POINTS * sizeof *truth);
-    for (int a = 0; a < 4; a++) {
-        const double *field = first + a < 0 ? t->rest : known->xyz[first + a];
-        for (int n = 0; n < 3 * SCORE_POINTS; n++)
-            truth[n] += weight[a] * field[n];
-    }
 }
 
 /* Makes a row of each time that has a frame. */

@@ -506,7 +506,8 @@ static void spoil(const struct flawed *f, double x[SCORE_FEW][3])
         }
 }
 
-/* Writes the frames, `step` apart; some are left out, with their times, after the flaw. */
+/* Writes the frames, `step` apart; some are left out, with their times, after the flaw, and
+ * of flaws of place the first, too, where the truth is known behind it. */
 static void write_flawed(const struct course *m, const struct flawed *f, int step, bool out)
 {
     const int at = 60 / step; /* of 0.3 s, or one before it */
@@ -517,8 +518,8 @@ static void write_flawed(const struct course *m, const struct flawed *f, int ste
         from += f->kind == SCORE_LOST_FRAME && k >= at;
         from -= f->kind == SCORE_DOUBLED_FRAME && k > at;
         from -= f->kind == SCORE_LAG && k > 0;
-        if (from * step >= m->frames ||
-            (out && k * 7 % 5 > 1 && (k + 1) * step < m->frames))
+        const bool gone = k ? k * 7 % 5 > 1 : !f->times && m->frames <= FRAMES;
+        if (from * step >= m->frames || (out && gone && (k + 1) * step < m->frames))
             continue;
         double x[SCORE_FEW][3];
         memcpy(x, m->x[from * step], sizeof x);

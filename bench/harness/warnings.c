@@ -282,11 +282,10 @@ static bool degree_1_locks(const struct run *r, double number[])
 static bool bends_stretch(const struct run *r, double number[])
 {
     const enum remedy remedy = r->discretization.remedy;
-    const enum kinematics by = r->discretization.kinematics;
 
     number[0] = longest_span(r) / r->scene.thickness;
     number[1] = stretch_of_bends(r);
-    return (by == KINEMATICS_NONLINEAR || by == KINEMATICS_INCREMENTAL) && number[1] > 1 &&
+    return r->discretization.kinematics == KINEMATICS_NONLINEAR && number[1] > 1 &&
            (remedy == REMEDY_INCOMPATIBLE ||
             (remedy == REMEDY_NONE && in_plane_degree(r) > 1));
 }

@@ -59,8 +59,6 @@ static const struct row {
     {"bends", "shell_2", false, SHEET LIGHT "gravity=[0,0,-5.4]"},
     {"bends", "hex_incompatible", true,
      SHEET LIGHT "gravity=[0,0,-67];discretization.points=[10,10,2]"},
-    {"bends", "hex_incompatible_incremental", true,
-     SHEET LIGHT "gravity=[0,0,-67];discretization.points=[10,10,2]"},
     {"bends", "hex_incompatible", false,
      SHEET LIGHT "gravity=[0,0,-64];discretization.points=[10,10,2]"},
     {"bends", "shell", false, SHEET LIGHT "gravity=[0,0,-520]"},

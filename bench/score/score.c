@@ -368,6 +368,9 @@ static void take_start(struct score *s, const double *xyz)
                      s->truth.scene.length, &s->turn);
     if (!s->net.by_position)
         score_start_strays(&s->truth.scene, &s->net, then, xyz, &s->strays);
+    if (later &&
+        !s->strays.exchanged) /* part of a sheet may have moved otherwise by then */
+        s->strays.count = 0;
 }
 
 /* Makes the net and both views of it from the first frame. */

@@ -79,9 +79,12 @@ refused score edge_drop one.csv
 refused score corners_drop one.csv
 sed 's/young: 1.0e5/young: 2.0e5/' "$2/models/scenes/edge_drop.yaml" >my.yaml
 refused score my.yaml one.csv
-awk 'BEGIN { for (n = 0; n < 9; n++) printf "0,%d,%d,1,0,0\n", n % 3 * 50, int(n / 3) * 50 }' \
-    >cent.csv
-refused score edge_drop cent.csv
+for cell in 50 1; do # per cent, and from 0 to 2
+    awk -v w=$cell 'BEGIN { for (n = 0; n < 9; n++) printf "0,%d,%d,1,0,0\n", n % 3 * w, int(n / 3) * w }' \
+        >uv.csv
+    refused score edge_drop uv.csv
+    has err 'must run from 0 to 1'
+done
 refused score edge_drop one.csv --up q
 refused score edge_drop one.csv --dt -1
 refused score edge_drop one.csv --scale no

@@ -108,6 +108,7 @@ if grep -qE '^(GIT_DIR|CDPATH|CMAKE_C_COMPILER_LAUNCHER)=' "$folder/environment"
 fi
 
 # A folder's name may have what a shell takes for its own: commands that generate have it, too.
+# shellcheck disable=SC2016 # the name has a dollar sign
 odd=$folder/'a$b (1)'
 ln -s "$source" "$odd"
 mkdir "$folder/broken" # MPI that is half there

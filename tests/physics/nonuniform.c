@@ -1,7 +1,7 @@
 /* Discretizations of the IGA plate that scenes rarely ask for - given knot vectors,
  * repeated knots, NURBS weights that vary over the sheet: samples sit at the same material
  * points. (What such nets answer: patch_test.c; `clothbench verify elastica`.) */
-#include "tests/motion_fixture.h"
+#include "tests/opened_run.h"
 
 /* Points are looked up to 1e-12 (1 m + 1 m) where weights bend the parameters. */
 static const double TOL_REST = 4e-12;

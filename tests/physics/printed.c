@@ -1,11 +1,12 @@
 /* `printed` kinematics is no elastic sheet: its angle beside undamped `incremental`, and
  * that it keeps no stress. (How it falls: fall.c; how it dies: cli.sh.) */
-#include "tests/motion_fixture.h"
+#include "models/metric/metric.h"
+#include "tests/opened_run.h"
 
 static const char printed[] = "discretization.kinematics=printed",
                   incremental[] = "discretization.kinematics=incremental",
                   thin[] = "sheet.thickness=0.001";
-static run_field field;
+static double field[GRID_POINTS][3];
 
 static double angle_at(const char *kinematics, const char *damping, double t)
 {
@@ -13,7 +14,7 @@ static double angle_at(const char *kinematics, const char *damping, double t)
 
     OPENED_RUN(&run, "edge_drop", "iga_paper", thin, kinematics, damping);
     opened_steps(&run, (int)lround(t / run.scene.step));
-    run_sample(&run, field);
+    model_sample(run.model, run.state, field[0]);
     double angle = metric_angle(&run.scene, field[0]);
     run_close(&run);
     return angle;
@@ -38,16 +39,16 @@ static void check_angles(void)
 static void check_from_equilibrium(const char *kinematics)
 {
     struct run run;
-    static run_field after;
+    static double after[GRID_POINTS][3];
     double step = 0;
 
     OPENED_RUN(&run, "cantilever", "iga_paper", kinematics, "sheet.thickness=0.05",
                "material.density=5");
     opened_settle(&run);
-    run_sample(&run, field);
+    model_sample(run.model, run.state, field[0]);
     CHECK(metric_drop(&run.scene, field[0]) > 0.1);
     opened_steps(&run, 1);
-    run_sample(&run, after);
+    model_sample(run.model, run.state, after[0]);
     step = opened_apart(field[0], after[0]);
     CHECK(step > 0 && step < 2 * 9.81 * run.scene.step * run.scene.step / 4);
     run_close(&run);

@@ -1,6 +1,6 @@
 /* Order in time of every scheme: a sheet that swings softly through a quarter turn, in
- * three steps, each half the one before. (Linear solids: newmark.c, against what is exact.)
- */
+ * three steps, each half the one before. (Linear solids: march.c, against what is
+ * exact.) */
 #include "models/grid.h"
 #include "models/metric/metric.h"
 #include "tests/opened_run.h"

@@ -2,6 +2,9 @@
  * one point held. Each scheme in time against its closed form, order, or what it keeps; and
  * what all of them share: damping, loads, supports that move, equilibrium, modes. */
 #include "models/mechanics/march.h"
+
+#include <complex.h>
+
 #include "tests/check.h"
 
 static const double LENGTH = 0.7, RIGID = 40, MASS = 0.3, GRAVITY = 9.81; /* m, N, kg */
@@ -167,27 +170,59 @@ static void go(struct fixture *f, int steps)
     CHECK(work.steps == steps);
 }
 
-/* Average acceleration of a spring from rest: x = g / w^2 (1 - cos(n a)), tan(a / 2) =
- * w dt / 2, exactly. */
-static void check_newmark(void)
+/* Returns what the trapezoidal rule makes of q'' + c q' + lambda q = 0 from q and v after n
+ * steps, exactly: roots s of s^2 + c s + lambda are mapped to
+ * z = (1 + s dt/2) / (1 - s dt/2). */
+static double trapezoidal(double c, double lambda, double q, double v, double dt, int n)
 {
-    enum { STEPS = 200 };
-    const double step = 0.01, w = sqrt(RIGID / LENGTH / MASS);
-    struct fixture f;
-    struct energy e;
+    const double complex root = csqrt(c * c / 4 - lambda), s1 = -c / 2 + root,
+                         s2 = -c / 2 - root;
+    const double complex z1 = (1 + s1 * dt / 2) / (1 - s1 * dt / 2),
+                         z2 = (1 + s2 * dt / 2) / (1 - s2 * dt / 2);
 
-    open_scene(&f, step);
-    start(&f, KINEMATICS_LINEAR, INTEGRATOR_IMPLICIT);
-    go(&f, STEPS);
-    const double turn = 2 * atan(w * step / 2);
-    CHECK_NEAR(f.march.x[5], -GRAVITY / (w * w) * (1 - cos(STEPS * turn)), ROUND_OFF);
-    CHECK_NEAR(f.march.x[3], LENGTH, ROUND_OFF);
-    march_size(&f, &(struct model_size){0});
-    blocks_multiply(&f.graph, f.march.stiffness, f.march.d, f.march.work);
-    e.elastic = f.march.d[5] * f.march.work[5] / 2;
-    const double kinetic = MASS * f.march.v[5] * f.march.v[5] / 2;
-    CHECK_NEAR(e.elastic + kinetic + MASS * GRAVITY * f.march.x[5], 0, ROUND_OFF);
-    close_scene(&f);
+    return creal(((s2 * q - v) * cpow(z1, n) - (s1 * q - v) * cpow(z2, n)) / (s2 - s1));
+}
+
+/* Holds the scene's support on a path of that speed along z. */
+static void move_support(struct scene *s, double speed)
+{
+    const double path[] = {-1, 0, 0, -speed, 10, 0, 0, 10 * speed};
+
+    s->supports[0].motion.path = malloc(sizeof path);
+    REQUIRE(s->supports[0].motion.path);
+    s->supports[0].motion.path_count = 2;
+    memcpy(s->supports[0].motion.path, path, sizeof path);
+}
+
+/* A spring is thrown, below a point that is still or moves at a constant speed; its
+ * dampings are those that are linear. In the point's frame mass damping is a load, too. */
+static void check_newmark(double speed)
+{
+    static const struct scene_damping damping[] = {
+        {.kind = DAMPING_NONE},
+        {.kind = DAMPING_MASS, .value = 1.5},
+        {.kind = DAMPING_RAYLEIGH, .alpha = 0.7, .beta = 0.02}};
+    enum { STEPS = 200 };
+    const double step = 0.01, lambda = RIGID / LENGTH / MASS, thrown = 0.3;
+
+    for (size_t n = 0; n < sizeof damping / sizeof *damping; n++) {
+        const double alpha = damping[n].value + damping[n].alpha,
+                     c = alpha + damping[n].beta * lambda,
+                     rest = -(GRAVITY + alpha * speed) / lambda;
+        struct fixture f;
+        open_scene(&f, step);
+        f.scene.damping = damping[n];
+        f.scene.velocity[2] = thrown;
+        move_support(&f.scene, speed);
+        start(&f, KINEMATICS_LINEAR, INTEGRATOR_IMPLICIT);
+        go(&f, STEPS);
+        CHECK_NEAR(f.march.x[5],
+                   speed * STEPS * step + rest +
+                       trapezoidal(c, lambda, -rest, thrown - speed, step, STEPS),
+                   ROUND_OFF);
+        CHECK_NEAR(f.march.x[3], LENGTH, ROUND_OFF);
+        close_scene(&f);
+    }
 }
 
 /* Returns how far off the end is after half a second, in steps, of what fine ones give. */
@@ -269,21 +304,25 @@ static void check_printed(void)
     close_scene(&f);
 }
 
-/* A factor on velocities acts once a step, and not on what is held and moves. */
+/* A factor on velocities, or a rate of them, acts once a step, and not on what is held. */
 static void check_damping(void)
 {
-    struct fixture f;
+    static const struct scene_damping damping[] = {
+        {.kind = DAMPING_VELOCITY_SCALE, .value = 0.25},
+        {.kind = DAMPING_VELOCITY_RATE, .value = 75}};
 
-    open_scene(&f, 0.01);
-    f.scene.damping.kind = DAMPING_VELOCITY_SCALE;
-    f.scene.damping.value = 0.25;
-    start(&f, KINEMATICS_LINEAR, INTEGRATOR_IMPLICIT);
-    memset(f.K, 0, sizeof f.K);
-    go(&f, 30);
-    /* v <- 1/4 (v + g dt) */
-    CHECK_NEAR(f.march.v[5], -GRAVITY * 0.01 / 3, ROUND_OFF);
-    CHECK(f.march.v[2] == 0);
-    close_scene(&f);
+    for (size_t n = 0; n < sizeof damping / sizeof *damping; n++) {
+        struct fixture f;
+        open_scene(&f, 0.01);
+        f.scene.damping = damping[n];
+        start(&f, KINEMATICS_LINEAR, INTEGRATOR_IMPLICIT);
+        memset(f.K, 0, sizeof f.K);
+        go(&f, 30);
+        /* v <- 1/4 (v + g dt) */
+        CHECK_NEAR(f.march.v[5], -GRAVITY * 0.01 / 3, ROUND_OFF);
+        CHECK(f.march.v[2] == 0);
+        close_scene(&f);
+    }
 }
 
 /* It hangs by m g = RIGID e (l / L), and swings about that with w^2 = g / l. */
@@ -308,7 +347,8 @@ static void check_rest(void)
 
 int main(void)
 {
-    check_newmark();
+    check_newmark(0);
+    check_newmark(0.4);
     check_order(INTEGRATOR_IMPLICIT, false, 2);
     check_order(INTEGRATOR_IMPLICIT, true, 1);
     check_order(INTEGRATOR_LEAPFROG, false, 2);

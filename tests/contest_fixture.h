@@ -61,7 +61,7 @@ static inline void add(struct contest *c, const char *who, const struct run_of *
     struct contest_row *row;
 
     at.size[CONTEST_ACROSS] = run->across ? run->across : at.size[CONTEST_ACROSS];
-    REQUIRE(contest_add(c, &at, &row) == STATUS_OK);
+    row = contest_add(c, &at);
     row->probe = run->how & PROBE;
     row->seconds = row->probe ? NAN : run->seconds;
     row->error[early] = run->worst / 2, row->error[!early] = row->worst = run->worst;

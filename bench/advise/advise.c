@@ -146,7 +146,7 @@ static enum status search(struct advise_search *s, struct message *why)
         const double left = s->wish.budget - (clock_now() - start);
         const double most = most_seconds(s, left);
         const struct contest_wish wish = {1, &s->target, fmin(s->longest, most)};
-        TRY(contest_propose(c, &wish));
+        contest_propose(c, &wish);
         if (c->count > first)
             continue;
         if (s->longest >= most) {
@@ -513,7 +513,7 @@ static enum status enter(struct advise_search *s, const char *models, struct mes
             contest_moved(c, &rung[0], CONTEST_NET,
                           (int)fmax(contestant_least(who), rung[0].size[CONTEST_NET] / 2));
         if (half.size[CONTEST_NET] < rung[0].size[CONTEST_NET])
-            TRY(contest_add(c, &half, NULL));
+            contest_add(c, &half);
     }
 out:
     return st;

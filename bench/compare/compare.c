@@ -111,7 +111,7 @@ enum status compare_job_enter(struct compare_job *j, const char *models, int run
                 continue;
             const int count = contest_ladder(&j->contest, who, at);
             for (int n = 0; n < count && n < rungs; n++)
-                TRY(contest_add(&j->contest, &at[n], NULL));
+                contest_add(&j->contest, &at[n]);
         }
 out:
     return st;
@@ -248,7 +248,7 @@ static enum status measure_all(struct compare_job *j, struct message *why)
     TRY(compare_job_rows(j, 0, why));
     TRY(contest_search_all(c, compare_job_rows, j, why));
     const int searched = c->count;
-    TRY(contest_search_limits(c));
+    contest_search_limits(c);
     if (c->count > searched)
         TRY(compare_job_rows(j, searched, why));
 out:
@@ -273,7 +273,7 @@ static enum status compare_job_measure(struct compare_job *j, struct message *wh
         fprintf(stderr, "compare: %s; %d of %d runs were skipped\n", said.text,
                 all - c->count, all);
         c->teams = 0;
-        TRY(contest_tell_unsearched(c));
+        contest_tell_unsearched(c);
     } else {
         TRY(st ? status_fail(why, st, "%s", said.text) : st);
     }

@@ -157,28 +157,20 @@ static const double growth[CONTEST_AXES] = {
 
 /* --- rows --- */
 
-enum status contest_add(struct contest *c, const struct contest_at *at,
-                        struct contest_row **row)
+struct contest_row *contest_add(struct contest *c, const struct contest_at *at)
 {
-    if (c->count == c->room) {
-        const int room = 2 * c->room + 16;
-        struct contest_row *rows = realloc(c->rows, (size_t)room * sizeof *rows);
-        if (!rows)
-            return STATUS_MEMORY;
-        c->rows = rows, c->room = room;
-    }
-    c->rows[c->count] = (struct contest_row){.at = *at};
-    if (row)
-        *row = &c->rows[c->count];
-    c->count++;
-    return STATUS_OK;
+    c->rows = arena_more(&c->arena, c->rows, (size_t)c->count, sizeof *c->rows);
+    struct contest_row *row = &c->rows[c->count++];
+
+    *row = (struct contest_row){.at = *at};
+    return row;
 }
 
 void contest_clear(struct contest *c)
 {
-    free(c->rows);
+    arena_clear(&c->arena);
     c->rows = NULL;
-    c->count = c->room = 0;
+    c->count = 0;
 }
 
 void contest_set_absent(struct contest_row *row)
@@ -332,18 +324,19 @@ bool contest_on_front(const struct contest *c, const struct contest_row *row)
 
 double contest_growth(const struct contest *c, const struct contestant *who)
 {
-    double *numbers = malloc((2 * (size_t)c->count + 1) * sizeof *numbers);
-    double *error = numbers, *seconds = numbers + c->count, power = NAN;
+    struct arena own = {0};
+    double *error = arena_take(&own, (size_t)c->count, sizeof *error), power = NAN;
+    double *seconds = arena_take(&own, (size_t)c->count, sizeof *seconds);
     int count = 0;
 
-    for (int n = 0; n < c->count && numbers; n++)
+    for (int n = 0; n < c->count; n++)
         if (c->rows[n].at.contestant == who && contest_on_front(c, &c->rows[n])) {
             error[count] = c->rows[n].worst;
             seconds[count++] = c->rows[n].seconds;
         }
     if (count >= 3)
         power = -fit_exponent(count, error, seconds);
-    free(numbers);
+    arena_clear(&own);
     return power;
 }
 
@@ -531,22 +524,9 @@ struct tries {
         bool rung;      /* of a ladder: comes first among those of equal seconds */
         int order;
     }
-    *list; /* owned */
+    *list;
+    struct arena arena; /* of the list                                          owned */
 };
-
-/* The most that find_tries adds for one contestant. */
-enum { MOST_TRIES = CONTEST_RUNGS + CONTEST_AXES * (CONTEST_TARGETS + 2) };
-
-static enum status create_tries(const struct contest *c, struct tries *t)
-{
-    int entrants = 0;
-
-    while (contest_entrant(c, entrants))
-        entrants++;
-    *t = (struct tries){.contest = c};
-    t->list = calloc((size_t)entrants * MOST_TRIES + 1, sizeof *t->list);
-    return t->list ? STATUS_OK : STATUS_MEMORY;
-}
 
 static bool is_known(const struct tries *t, const struct contest_at *at)
 {
@@ -588,6 +568,7 @@ static double predicted(const struct contest *c, const struct contest_at *at)
 
 static void add_try(struct tries *t, const struct contest_at *at, bool rung)
 {
+    t->list = arena_more(&t->arena, t->list, (size_t)t->count, sizeof *t->list);
     t->list[t->count] = (struct try){*at, predicted(t->contest, at), rung, t->count};
     t->count++;
 }
@@ -701,15 +682,14 @@ static void come_nearer(struct tries *t, const struct contestant *who)
 
 /* Finds what the search proposes for all contestants and, of their ladders, the rungs up to
  * `dearest` seconds (negative: none). */
-static enum status find_tries(const struct contest *c, const struct contest_wish *wish,
-                              double dearest, struct tries *t)
+static void find_tries(const struct contest *c, const struct contest_wish *wish,
+                       double dearest, struct tries *t)
 {
     const struct contestant *who;
     struct contest_at rung[CONTEST_RUNGS];
-    const enum status st = create_tries(c, t);
 
-    t->wish = wish;
-    for (int k = 0; st == STATUS_OK && (who = contest_entrant(c, k)); k++) {
+    *t = (struct tries){.contest = c, .wish = wish};
+    for (int k = 0; (who = contest_entrant(c, k)); k++) {
         for (int n = 0; n < wish->count; n++)
             cheapen(t, who, wish->target[n]);
         come_nearer(t, who);
@@ -718,20 +698,16 @@ static enum status find_tries(const struct contest *c, const struct contest_wish
             if (!is_known(t, &rung[n]) && predicted(c, &rung[n]) <= dearest)
                 add_try(t, &rung[n], true);
     }
-    return st;
 }
 
-enum status contest_propose(struct contest *c, const struct contest_wish *wish)
+void contest_propose(struct contest *c, const struct contest_wish *wish)
 {
     struct tries t;
-    enum status st;
 
-    TRY(find_tries(c, wish, -1, &t));
+    find_tries(c, wish, -1, &t);
     for (int n = 0; n < t.count; n++)
-        TRY(contest_add(c, &t.list[n].at, NULL));
-out:
-    free(t.list);
-    return st;
+        contest_add(c, &t.list[n].at);
+    arena_clear(&t.arena);
 }
 
 /* --- a budget --- */
@@ -770,11 +746,9 @@ static int compare_seconds(const void *a, const void *b)
 }
 
 /* Adds rows of the tries that can be paid, cheap ones first. */
-static enum status add_payable(struct contest *c, struct tries *t, double most, bool probe)
+static void add_payable(struct contest *c, struct tries *t, double most, bool probe)
 {
     double spent = contest_spent(c);
-    enum status st = STATUS_OK;
-    struct contest_row *row;
 
     if (c->budget > 0)
         qsort(t->list, (size_t)t->count, sizeof *t->list, compare_seconds);
@@ -783,11 +757,8 @@ static enum status add_payable(struct contest *c, struct tries *t, double most, 
         spent += seconds * (1 + (probe ? 0 : timing_repeats(seconds, c->quick)));
         if (c->budget > 0 && spent > most)
             break;
-        TRY(contest_add(c, &t->list[n].at, &row));
-        row->probe = probe;
+        contest_add(c, &t->list[n].at)->probe = probe;
     }
-out:
-    return st;
 }
 
 /* Makes rounds of runs up to `longest` seconds, with rungs up to `dearest`. */
@@ -795,40 +766,38 @@ static enum status search_to(struct contest *c, double longest, double dearest,
                              contest_measure *measure, void *context, struct message *why)
 {
     const struct contest_wish wish = {CONTEST_TARGETS, contest_target, longest};
-    struct tries t = {0};
+    struct tries t;
     enum status st = STATUS_OK;
 
     for (int round = 0; round < MOST_ROUNDS; round++) {
         const int first = c->count;
-        free(t.list);
-        TRY(find_tries(c, &wish, dearest, &t));
-        TRY(add_payable(c, &t, SHARE * c->budget, false));
+        find_tries(c, &wish, dearest, &t);
+        add_payable(c, &t, SHARE * c->budget, false);
+        arena_clear(&t.arena);
         if (c->count == first)
             break;
         TRY(measure(context, first, why));
     }
 out:
-    free(t.list);
     return st;
 }
 
-enum status contest_tell_unsearched(struct contest *c)
+void contest_tell_unsearched(struct contest *c)
 {
     const struct contest_wish wish = {CONTEST_TARGETS, contest_target, c->longest};
     const struct contestant *who;
     struct tries t;
-    const enum status st = find_tries(c, &wish, INFINITY, &t);
 
+    find_tries(c, &wish, INFINITY, &t);
     c->unsearched[0] = '\0';
-    for (int k = 0; st == STATUS_OK && (who = contest_entrant(c, k)); k++) {
+    for (int k = 0; (who = contest_entrant(c, k)); k++) {
         int count = 0;
         for (int n = 0; n < t.count; n++)
             count += t.list[n].at.contestant == who;
         if (count)
             TEXT_JOIN(c->unsearched, ", ", "%s %d", who->name, count);
     }
-    free(t.list);
-    return st;
+    arena_clear(&t.arena);
 }
 
 enum status contest_search_all(struct contest *c, contest_measure *measure, void *context,
@@ -841,18 +810,16 @@ enum status contest_search_all(struct contest *c, contest_measure *measure, void
         TRY(search_to(c, longest, longest, measure, context, why));
     TRY(search_to(c, c->longest, INFINITY, measure, context, why));
     if (c->budget > 0)
-        TRY(contest_tell_unsearched(c));
+        contest_tell_unsearched(c);
 out:
     return st;
 }
 
-enum status contest_search_limits(struct contest *c)
+void contest_search_limits(struct contest *c)
 {
     const struct contestant *who;
-    struct tries t;
-    enum status st;
+    struct tries t = {.contest = c};
 
-    TRY(create_tries(c, &t));
     for (int k = 0; (who = contest_entrant(c, k)); k++) {
         const struct contest_limit limit = contest_limit(c, who);
         struct contest_at at;
@@ -862,10 +829,8 @@ enum status contest_search_limits(struct contest *c)
             if (contest_probe(c, limit.best, axis, &at))
                 add_try(&t, &at, false);
     }
-    TRY(add_payable(c, &t, c->budget, true));
-out:
-    free(t.list);
-    return st;
+    add_payable(c, &t, c->budget, true);
+    arena_clear(&t.arena);
 }
 
 void contest_choose_best(struct contest *c)

@@ -53,8 +53,9 @@ struct contest {
     char physics[128];         /* how damping was read                              */
     const struct truth *truth; /* of CONTEST_TIMES times at most; xyz NULL: there is none,
                                   `source` says why                        borrowed */
-    int count, room;
-    struct contest_row *rows; /* [count], in any order: more may be added     owned */
+    int count;
+    struct contest_row *rows; /* [count], in any order: more may be added           */
+    struct arena arena; /* of the rows                                          owned */
 
     /* Settings of the search, and of timing again with more threads. */
     bool quick;            /* the cheap half of each ladder                         */
@@ -100,9 +101,8 @@ void contest_settings(const struct contest *c, const struct contest_at *at,
 int contest_ladder(const struct contest *c, const struct contestant *who,
                    struct contest_at at[CONTEST_RUNGS]);
 
-/* Adds a row, all else zero; *row (may be NULL) is valid until the next. STATUS_MEMORY. */
-enum status contest_add(struct contest *c, const struct contest_at *at,
-                        struct contest_row **row);
+/* Adds a row, all else zero, which is valid until the next. */
+struct contest_row *contest_add(struct contest *c, const struct contest_at *at);
 void contest_clear(struct contest *c); /* all-zero is allowed */
 
 /* Marks a row of which an earlier call left no file: it stays during the search, so that
@@ -217,8 +217,8 @@ struct contest_wish {
     double longest;       /* seconds: nothing is tried that is expected to take longer */
 };
 
-/* Adds the rows that the search proposes next, for all contestants. STATUS_MEMORY. */
-enum status contest_propose(struct contest *c, const struct contest_wish *wish);
+/* Adds the rows that the search proposes next, for all contestants. */
+void contest_propose(struct contest *c, const struct contest_wish *wish);
 
 /* Runs and fills all rows from `first` on. */
 typedef enum status contest_measure(void *context, int first, struct message *why);
@@ -231,15 +231,15 @@ enum status contest_search_all(struct contest *c, contest_measure *measure, void
                                struct message *why);
 
 /* Adds the rows that tell what limits each contestant (contest_probe), as far as the
- * budget can pay. STATUS_MEMORY. */
-enum status contest_search_limits(struct contest *c);
+ * budget can pay. */
+void contest_search_limits(struct contest *c);
 
 /* Returns the seconds that the rows took so far: each was followed once, and then repeated
  * as often as it was timed. */
 double contest_spent(const struct contest *c);
 
-/* Fills c->unsearched. STATUS_MEMORY. */
-enum status contest_tell_unsearched(struct contest *c);
+/* Fills c->unsearched. */
+void contest_tell_unsearched(struct contest *c);
 
 /* Sets team_longest: within a budget to as many of the best rows, the cheapest, as a fifth
  * more of it pays for each number of threads; else to all. */

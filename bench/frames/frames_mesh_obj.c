@@ -36,8 +36,10 @@ enum status frames_mesh_obj(const char *path, struct frames_mesh *mesh, struct m
     mesh->triangles = o.corners / 3;
     mesh->xyz = malloc(((size_t)o.vertices + 1) * 3 * sizeof *mesh->xyz);
     mesh->uv = malloc(((size_t)o.vertices + 1) * 2 * sizeof *mesh->uv);
-    mesh->triangle = malloc(((size_t)mesh->triangles + 1) * sizeof *mesh->triangle);
-    TRY(mesh->xyz && mesh->uv && mesh->triangle ? STATUS_OK : STATUS_MEMORY);
+    if (mesh->triangles) /* else there is no list, as without faces of other formats */
+        mesh->triangle = malloc((size_t)mesh->triangles * sizeof *mesh->triangle);
+    TRY(mesh->xyz && mesh->uv && (mesh->triangle || !mesh->triangles) ? STATUS_OK
+                                                                      : STATUS_MEMORY);
     /* Texture points that no face pairs with vertices belong to them in order. */
     const bool paired = o.corners || o.textures != o.vertices;
     for (int n = 0; n < o.vertices; n++) {

@@ -632,8 +632,8 @@ out:
 }
 
 /* Reads the rules that another plan has under the key. */
-static enum status read_others(const char *name, const char *key, struct rules *rules,
-                               struct message *why)
+static enum status read_others(const char *name, const char *key, struct arena *arena,
+                               struct rules *rules, struct message *why)
 {
     enum status st;
     char *path = NULL, *text = NULL;
@@ -645,7 +645,7 @@ static enum status read_others(const char *name, const char *key, struct rules *
         list = yaml_tree_find(root, key);
     if (!list)
         TRY(yaml_tree_refuse(root, why, "this plan has no %s", key));
-    TRY(rules_read(list, rules, why));
+    TRY(rules_read(list, arena, rules, why));
 out:
     yaml_tree_free(root);
     free(text);
@@ -661,8 +661,9 @@ static enum status read_verdicts(const struct schema_key *key, const struct yaml
     struct message reason = {""};
 
     if (node->kind != YAML_TREE_SCALAR)
-        return rules_read(node, rules, why);
-    const enum status st = read_others(node->text, key->key, rules, &reason);
+        return rules_read(node, ARENA_OF(target), rules, why);
+    const enum status st =
+        read_others(node->text, key->key, ARENA_OF(target), rules, &reason);
     if (st == STATUS_OK || st == STATUS_MEMORY)
         return st;
     return yaml_tree_refuse(node, why, "%s: %s", key->key, reason.text);
@@ -1081,7 +1082,6 @@ void plan_clear(struct plan *plan)
 {
     struct arena all = plan->arena ? *plan->arena : (struct arena){0};
 
-    rules_clear(&plan->verdicts);
     arena_clear(&all);
     *plan = (struct plan){0};
 }

@@ -3,7 +3,6 @@
 #include <math.h>
 #include <stddef.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "models/reader/schema.h"
@@ -27,13 +26,17 @@ static const struct schema_key RULE[] = {
     {"why", "reason for the value", SCHEMA_TEXT, .required = true, IN(why)},
     {NULL}};
 
-static enum status read_rule(const struct yaml_tree *node, struct rule *rule,
-                             struct message *why)
+static enum status read_rule(const struct yaml_tree *node, struct arena *arena,
+                             struct rule *rule, struct message *why)
 {
     struct reading r = {.above = NAN, .below = NAN};
-    enum status st;
+    enum status st = schema_read(RULE, node, "a verdict", &r, why);
 
-    TRY(schema_read(RULE, node, "a verdict", &r, why));
+    if (r.label)
+        arena_keep(arena, r.label);
+    if (r.why)
+        arena_keep(arena, r.why);
+    TRY(st);
     if (isnan(r.above) == isnan(r.below))
         TRY(yaml_tree_refuse(node, why, "the verdict %s must have one of above and below",
                              yaml_tree_quote(r.label).text));
@@ -42,43 +45,27 @@ static enum status read_rule(const struct yaml_tree *node, struct rule *rule,
                           .above = isnan(r.below),
                           .bound = isnan(r.below) ? r.above : r.below,
                           .why = r.why};
-    r.label = r.why = NULL;
 out:
-    free(r.label);
-    free(r.why);
     return st;
 }
 
-enum status rules_read(const struct yaml_tree *list, struct rules *rules,
-                       struct message *why)
+enum status rules_read(const struct yaml_tree *list, struct arena *arena,
+                       struct rules *rules, struct message *why)
 {
     enum status st = STATUS_OK;
-    struct rules new = {0};
+    int count = 0;
 
-    *rules = new;
+    *rules = (struct rules){0};
     if (list->kind != YAML_TREE_LIST || list->count == 0 || list->count > RULES_MOST)
         return yaml_tree_refuse(list, why,
                                 "verdicts is %s, but must be a list of 1 to %d rules "
                                 "{label: ..., measure: ..., above: ..., why: ...}",
                                 yaml_tree_describe(list).text, RULES_MOST);
-    for (const struct yaml_tree *node = list->first; node; node = node->next) {
-        TRY(read_rule(node, &new.rule[new.count], why));
-        new.count++;
-    }
-    *rules = new;
-    new = (struct rules){0};
+    for (const struct yaml_tree *node = list->first; node; node = node->next)
+        TRY(read_rule(node, arena, &rules->rule[count++], why));
+    rules->count = count;
 out:
-    rules_clear(&new);
     return st;
-}
-
-void rules_clear(struct rules *rules)
-{
-    for (int n = 0; n < rules->count; n++) {
-        free(rules->rule[n].label);
-        free(rules->rule[n].why);
-    }
-    *rules = (struct rules){0};
 }
 
 struct ruling rules_of(const struct rules *rules, const struct run_result *r)

@@ -15,17 +15,18 @@
 #define RULES_H
 
 #include "bench/data/verdict.h"
+#include "bench/files/arena.h"
 #include "bench/harness/run_result.h"
 #include "models/reader/yaml_tree.h"
 
 enum { RULES_MOST = 32 };
 
 struct rule {
-    char *label; /* owned                                                              */
+    const char *label;
     int measure; /* enum measure                                                       */
     bool above;  /* matches if the measure is above `bound`; else below                */
     double bound;
-    char *why; /* owned                                                              */
+    const char *why;
 };
 
 struct rules {
@@ -33,12 +34,10 @@ struct rules {
     struct rule rule[RULES_MOST];
 };
 
-/* Reads the list. *rules is overwritten; free with rules_clear. STATUS_INPUT with one
- * sentence `origin:line: ...`; *rules is then all-zero. */
-enum status rules_read(const struct yaml_tree *list, struct rules *rules,
-                       struct message *why);
-
-void rules_clear(struct rules *rules); /* all-zero is allowed */
+/* Reads the list, whose words then lie in the arena. *rules is overwritten. STATUS_INPUT
+ * with one sentence `origin:line: ...`; *rules then has none. */
+enum status rules_read(const struct yaml_tree *list, struct arena *arena,
+                       struct rules *rules, struct message *why);
 
 struct ruling {
     enum verdict kind;

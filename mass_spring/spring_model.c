@@ -1,8 +1,5 @@
 #include "mass_spring/spring_model.h"
 
-#include <stdio.h>
-#include <string.h>
-
 #include "mass_spring/spring_motion.h"
 #include "models/contact/contact_rest.h"
 
@@ -61,17 +58,21 @@ static void probe(const void *state, int n, const double *uvw, double *xyz)
     mesh_sample(&m->net.mesh, m->net.scene, &field, n, uvw, xyz);
 }
 
-/* Describes the misfit of springs to plane stress, and explicit steps. */
+/* Describes the misfit of springs to plane stress, and explicit steps. The sheet's tension
+ * at a strain e is E h (1 + e) (e + e^2 / 2), which is 1.5 e more than that of springs
+ * whose force is proportional to their length. */
 static void describe(const void *state, struct message *line)
 {
     const struct spring_motion *m = state;
     struct message steps = {{0}};
 
     spring_law_tell(&m->springs.law, m->net.mesh.cell, m->net.scene, line);
+    if (m->integrator == INTEGRATOR_IMPLICIT || m->integrator == INTEGRATOR_EXPLICIT)
+        message_add(line, "; at a strain e it pulls 1.5 e less than the sheet "
+                          "(integrator=momentum as the sheet)");
     march_describe(state, &steps);
-    size_t end = strlen(line->text);
     if (*steps.text)
-        snprintf(line->text + end, sizeof line->text - end, "; %s", steps.text);
+        message_add(line, "; %s", steps.text);
 }
 
 const struct model spring_model = {

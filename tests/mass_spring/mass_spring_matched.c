@@ -4,6 +4,7 @@
 #include <omp.h>
 
 #include "tests/mass_spring.h"
+#include "tests/opened_run.h"
 
 /* A sheet that lies askew, so that no product of components vanishes by chance. */
 static void fill_askew(struct scene *scene, double poisson)
@@ -188,9 +189,33 @@ static void check_bending(void)
     scene_clear(&scene);
 }
 
+/* A strip that is pulled by what stretches the sheet by a twentieth gives way 1.5 e more
+ * where springs are linear in their length, and says so; else as the sheet does. */
+static void check_pull(void)
+{
+    static const double strain = 0.05, few = 0.006; /* of the strain; e^2 and the net's */
+    static const char *const who[] = {"mass_spring", "mass_spring_momentum"};
+    static const double end[3] = {1, 0.5, 0.5};
+
+    for (int n = 0; n < 2; n++) {
+        struct message line = {""};
+        struct run run;
+        double x[3];
+        opened_run(&run, SOURCE_DIR "/tests/cases/pull.yaml", who[n], 0, NULL);
+        opened_steps(&run, (int)lround(run.scene.end / run.scene.step));
+        run.model->probe(run.state, 1, end, x);
+        run.model->describe(run.state, &line);
+        const double more = (x[0] / run.scene.length - 1) / strain - 1;
+        CHECK_NEAR(more, n ? 0 : 1.5 * strain, few);
+        CHECK(!strstr(line.text, "1.5 e less") == (n == 1));
+        run_close(&run);
+    }
+}
+
 int main(void)
 {
     omp_set_num_threads(1);
+    check_pull();
     check_misfit();
     check_oblong();
     check_bending();

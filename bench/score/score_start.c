@@ -1,5 +1,6 @@
 #include "bench/score/score_start.h"
 
+#include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -90,40 +91,19 @@ void score_start_strays(const struct scene *scene, const struct score_net *net,
 #define TURN_LEAST 0.01
 
 /* Fills the unit quaternion of the rotation that turns points b into a best (Horn 1987):
- * the eigenvector of the largest eigenvalue, by squaring. h[3][3] = sum of b_i a_j. */
+ * the eigenvector of the largest eigenvalue. h[3][3] = sum of b_i a_j. */
 static void find_rotation(double h[3][3], double q[4])
 {
     double m[4][4] = {{h[0][0] + h[1][1] + h[2][2], h[1][2] - h[2][1], h[2][0] - h[0][2],
                        h[0][1] - h[1][0]}},
-           most = 0, square[4][4];
-    int best = 0;
+           value[4];
 
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             m[i + 1][j + 1] = h[i][j] + h[j][i] - (i == j ? m[0][0] : 0);
-    for (int i = 1; i < 4; i++)
-        m[i][0] = m[0][i];
+    LAPACKE_dsyevd(LAPACK_ROW_MAJOR, 'V', 'U', 4, *m, 4, value); /* in ascending order */
     for (int i = 0; i < 4; i++)
-        for (int j = 0; j < 4; j++)
-            most += fabs(m[i][j]);
-    for (int i = 0; i < 4; i++)
-        m[i][i] += most; /* all eigenvalues are positive */
-    for (int n = 0; n < 60; n++) {
-        double trace = 0;
-        for (int i = 0; i < 4; i++)
-            trace += m[i][i];
-        for (int i = 0; i < 4; i++)
-            for (int j = 0; j < 4; j++) {
-                square[i][j] = 0;
-                for (int k = 0; k < 4; k++)
-                    square[i][j] += m[i][k] / trace * (m[k][j] / trace);
-            }
-        memcpy(m, square, sizeof m);
-    }
-    for (int i = 1; i < 4; i++)
-        best = m[i][i] > m[best][best] ? i : best;
-    for (int i = 0; i < 4; i++)
-        q[i] = m[i][best] / sqrt(m[best][best] * (m[0][0] + m[1][1] + m[2][2] + m[3][3]));
+        q[i] = m[i][3];
 }
 
 /* Rotates a vector: q x q*. */

@@ -26,6 +26,13 @@ enum status folder_make(const char *path, struct message *why)
     return STATUS_OK;
 }
 
+bool folder_is(const char *path)
+{
+    struct stat about;
+
+    return !stat(path, &about) && S_ISDIR(about.st_mode);
+}
+
 /* Checks that there is no folder of this name, or an empty one. */
 static enum status check_free(const char *path, struct message *why)
 {

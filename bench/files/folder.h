@@ -8,6 +8,9 @@
 /* Makes a folder and those it is in, like mkdir -p. STATUS_FILE with a sentence. */
 enum status folder_make(const char *path, struct message *why);
 
+/* Tells whether there is a folder of this path. */
+bool folder_is(const char *path);
+
 /* A folder that is written under a temporary name and renamed at the end: it appears with
  * all of its files, or not at all. */
 struct folder_aside {

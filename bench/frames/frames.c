@@ -7,8 +7,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
+#include "bench/files/folder.h"
 #include "bench/frames/frames_reader.h"
 
 enum status frames_room(struct frames *f, long vertices, struct message *why)
@@ -117,10 +117,9 @@ static int compare_paths(const void *a, const void *b)
 static enum status list_files(struct frames *f, int count, const char *const *paths,
                               struct message *why)
 {
-    struct stat about;
     enum status st = STATUS_OK;
 
-    if (count == 1 && !stat(paths[0], &about) && S_ISDIR(about.st_mode)) {
+    if (count == 1 && folder_is(paths[0])) {
         TRY(frames_folder_read(paths[0], &f->files, why));
         frames_folder_keep(&f->files, frames_is_name);
         if (!f->files.count)

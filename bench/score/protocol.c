@@ -8,6 +8,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "bench/files/folder.h"
 #include "bench/files/output.h"
 #include "bench/files/provenance.h"
 #include "bench/frames/frames.h"
@@ -213,13 +214,6 @@ static const char *base_of(const char *path)
     return strrchr(path, '/') + 1;
 }
 
-static bool is_folder(const char *path)
-{
-    struct stat about;
-
-    return !stat(path, &about) && S_ISDIR(about.st_mode);
-}
-
 /* --- engine.yaml --- */
 
 static const struct schema_key keys[] = {
@@ -300,7 +294,7 @@ static void parse_name(const char *name, struct protocol_run *run)
 /* Returns whether a path in a scene's folder may have frames. */
 static bool may_be_run(const char *path)
 {
-    return frames_is_name(path) || is_folder(path);
+    return frames_is_name(path) || folder_is(path);
 }
 
 static enum status read_run(struct arena *arena, const char *path, const char *scene,
@@ -402,7 +396,7 @@ enum status protocol_read(const char *path, const struct score_look *look,
     *p = (struct protocol){.folder = path};
     st = frames_folder_read(path, &folder, why);
     TRY(st == STATUS_FILE ? STATUS_INPUT : st);
-    frames_folder_keep(&folder, is_folder);
+    frames_folder_keep(&folder, folder_is);
     if (!folder.count)
         TRY(status_fail(why, STATUS_INPUT,
                         "%s: has no folders named like scenes; edge_drop/21x21.csv in it "

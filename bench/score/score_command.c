@@ -3,8 +3,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
+#include "bench/files/folder.h"
 #include "bench/frames/frames.h"
 #include "bench/score/protocol.h"
 #include "bench/ui/show.h"
@@ -61,11 +61,9 @@ static void name_of(const char *path, size_t size, char *name)
 static bool is_scene(const char *path)
 {
     char name[128], *found = NULL;
-    struct stat about;
 
     name_of(path, sizeof name, name);
-    const bool may =
-        *name && (frames_is_name(path) || (!stat(path, &about) && S_ISDIR(about.st_mode)));
+    const bool may = *name && (frames_is_name(path) || folder_is(path));
     const bool is = may && scene_file_find(name, &found, NULL) != STATUS_INPUT;
     free(found);
     if (!is)
@@ -179,7 +177,6 @@ out:
 static enum status run(struct command_line *line, struct message *why)
 {
     struct job j = {.sheet.printer = &line->printer};
-    struct stat about;
     enum status st, refused = STATUS_OK;
 
     TRY(prepare(&j, line, why));
@@ -193,7 +190,7 @@ static enum status run(struct command_line *line, struct message *why)
     if (line->word_count > 1) {
         TRY(score_one(&j, line->words[0], line->word_count - 1, line->words + 1, why));
     } else {
-        if (stat(line->words[0], &about) || !S_ISDIR(about.st_mode))
+        if (!folder_is(line->words[0]))
             TRY(status_fail(why, STATUS_INPUT,
                             "score: %s is no folder of several scenes' frames; score SCENE "
                             "FRAMES would be right",

@@ -32,7 +32,9 @@ printf 'name: a\0b\n' >nul.yaml
 : >empty.yaml
 while IFS='|' read -r file text; do
     [ "$file" = secret.yaml ] && [ -r secret.yaml ] && continue # root may read all
-    ends 2 "$text" "$program" run "$file"
+    for command in run compare truth; do
+        ends 2 "$text" "$program" $command "$file"
+    done
     ends 2 "$text" "$program" sweep "$file" --out sweep
     [ ! -e sweep ] || fail "sweep $file: makes a folder"
 done <<'FILES'

@@ -178,7 +178,9 @@ enum status contestant_read_settings(const struct settings *s, const char *path,
                                      struct message *why)
 {
     d->others = contestant_model;
-    return scene_file_read(path, s->count, (const char *const *)s->text, scene, d, why);
+    const enum status st =
+        scene_file_read(path, s->count, (const char *const *)s->text, scene, d, why);
+    return st == STATUS_FILE ? STATUS_INPUT : st; /* a scene that cannot be read is input */
 }
 
 enum status contestant_read_scene(const struct settings *s, const char *path,

@@ -176,7 +176,7 @@ static enum status read_scene(struct job *j, const struct command_line *line,
                         "discretization.kinematics=nonlinear; linear ones are those of the "
                         "rest shape, --modes alone"));
 out:
-    return st == STATUS_FILE ? STATUS_INPUT : st; /* a scene that cannot be read is input */
+    return st;
 }
 
 /* The frames examined where no file is kept; a run's sentences may open with a finding. */

@@ -358,19 +358,15 @@ def scenes_of(rows):
 def baseline_rows():
     return tables(TOP / "peers" / "baselines.csv")[-1][1]
 
-# Since then `export` tells stiffnesses of hinges and springs that are right; who takes them.
-RIGHT_SINCE, TAKE_THEM = "2026-11-29", ("Jolt", "Rapier, frequencies", "Blender", "Bullet, implicit")
-
 def reached(rows, time):
     """The error at `time`, the last one of all, in per cent; bold where `score` has nothing to say
-    against it; a star where the exported stiffnesses were the old ones."""
+    against it."""
     last = rows[-1]
-    old = "*" * (last["simulator"].startswith(TAKE_THEM) and last["date"] < RIGHT_SINCE)
     if not last["error"]:
         return f"died, {float(last['time']):.2g} s" if last["time"] else "refused"
     said_sound = re.search(r"^Nothing |^Is at its net|\. Nothing ", last["diagnosis"])
     error = part_of(next((r["error"] for r in rows if r["time"] == time), last["error"]))
-    return (f"**{error}**" if said_sound else error) + old.replace("*", "\\*")
+    return f"**{error}**" if said_sound else error
 
 def peers():
     """A row a simulator, a column a scene."""

@@ -20,8 +20,11 @@ loader.exec_module(third)
 def decks(name):
     third.check(program, name)
     check(f"{name}: decks are those of what is stored", True)
-    book = third.TABLES if name in third.TABLES else third.NETS
-    kept = book[name]
+
+
+def other_decks(book):
+    """Refuses what is stored of the book's first scene where its coarsest net is another one."""
+    name, kept = next(iter(book.items()))
     (along, across), *finer = kept[0]
     book[name] = [(along + 10, across), *finer], *kept[1:]
     says(f"{name}: another net", SystemExit, "of another deck", third.check, program, name)
@@ -42,4 +45,6 @@ for path in sorted((peers.parent / "bench" / "truths" / "third").glob("*.h5")):
     decks(path.stem)
 for name in third.TABLES:
     decks(name)
+for book in third.TABLES, third.NETS:
+    other_decks(book)
 finish()

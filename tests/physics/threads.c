@@ -54,7 +54,7 @@ static void check_threads(const struct row *row)
 {
     static double one[POINTS], many[POINTS];
 
-    for (int threads = 1; threads <= 4; threads++) {
+    for (int threads = 1; threads <= 4; threads += threads == 1 ? 2 : 1) {
         struct run run;
         omp_set_num_threads(threads);
         OPENED_RUN(&run, row->scene, row->name, "sheet.thickness=0.05",

@@ -470,8 +470,7 @@ void contact_begin(struct contact *c, double t, double dt, const double *x_old)
     const double end = isfinite(dt) ? t + dt : t;
 
     count_crossing(c, t, x_old);
-    c->dt = dt, c->rests = c->held = c->middle = false;
-    c->releases = 0;
+    c->dt = dt, c->rests = c->held = c->released = c->middle = false;
     c->least_change = INFINITY, c->waited = 0;
     c->count = c->weights = 0;
     memset(c->foretold, 0, 2 * (size_t)c->surface.count * sizeof *c->foretold);
@@ -558,10 +557,8 @@ static void look_back(const struct contact *c, struct contact_touch *t, const do
  * itself, as sliding over a rod does, is to do so. */
 enum { JUMPING = 5, SLIDING = 16 };
 
-/* How often a step's held touches are found anew once it has converged, while the pushes
- * differ by more than this share from those that bound their friction. Without an end a
- * towel that is folded does not get through. */
-enum { RELEASES = 4 };
+/* A step's held touches are found anew while the pushes differ by more than this share from
+ * those that bound their friction. */
 static const double ALIKE = 1e-2;
 
 /* Tells whether a held touch is that of a sample with a body; *at: a body's touch before or
@@ -644,24 +641,24 @@ void contact_hold(struct contact *c, const double *x, double size)
     c->least_change = less ? size : c->least_change;
     for (int n = c->count - 1; n >= 0 && !own; n--)
         own = c->touch[n].obstacle < 0;
-    if (c->held || (!c->releases && c->waited <= (own ? JUMPING : SLIDING)))
+    if (c->held || (!c->released && c->waited <= (own ? JUMPING : SLIDING)))
         return;
     for (struct contact_touch *t = c->touch; t < c->touch + c->count; t++)
         look_back(c, t, x);
     c->held = true, c->listed[0] = c->count, c->listed[1] = c->meetings;
 }
 
-bool contact_release(struct contact *c)
+bool contact_release(struct contact *c, bool again)
 {
     double off = 0, all = 0;
 
-    if (!c->held || c->releases == RELEASES)
+    if (!c->held || (c->released && !again))
         return false;
     for (const struct contact_touch *t = c->touch; t < c->touch + c->count; t++)
         off += fabs(t->push - t->bound), all += t->push;
-    if (c->releases && off <= ALIKE * all)
+    if (c->released && off <= ALIKE * all)
         return false;
-    c->held = false, c->releases++;
+    c->held = false, c->released = true;
     return true;
 }
 

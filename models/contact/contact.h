@@ -56,7 +56,7 @@ struct contact {
     struct scene_placement *pose, *pose_old; /* [obstacles]                          */
     double dt;           /* of the step; INFINITY: no rates                     [s]    */
     bool held;           /* by contact_hold                                              */
-    int releases;        /* of held touches in this step                                 */
+    bool released;       /* held touches were found anew in this step                   */
     double least_change; /* of contact_hold's in this step, by halves                [m] */
     int waited;          /* changes since                                               */
     int listed[2];       /* touches and meetings then                                    */
@@ -116,8 +116,8 @@ void contact_hold(struct contact *c, const double *x, double size);
 
 /* Lets held touches go, so that contact_find finds them anew at the x that they led to:
  * what bounds their friction was that of an earlier x. False: none are held, or
- * what they led to is to be taken. */
-bool contact_release(struct contact *c);
+ * what they led to is to be taken, as it is after the first time unless `again`. */
+bool contact_release(struct contact *c, bool again);
 
 /* Returns the work that bodies that move did in the step to x[nodes][3] [J]. */
 double contact_body_work(const struct contact *c, const double *x);

@@ -89,11 +89,14 @@ static void finish(struct march *m, double t, double dt, const double *x_old)
         supports_set(m->supports, h, m->v, v_held[h]);
 }
 
-/* Guesses the end of a step: its gain of velocity by a polynomial through the last ones. */
+/* Guesses the end of a step: its gain of velocity by a polynomial through the last ones,
+ * and none where the last step touched, since what contact adds to it changes at once. */
 static void guess(struct march *m, double dt, double end)
 {
     const size_t count = count_of(m);
 
+    if (m->contact && m->contact->count)
+        end = 0;
     for (size_t t = 0; t < count; t++) {
         double gain = m->orders && dt == m->past_dt ? 0 : dt * m->a[t];
         for (int k = 0; k < m->orders && dt == m->past_dt; k++)
@@ -104,7 +107,7 @@ static void guess(struct march *m, double dt, double end)
 
 /* Enters the gain of a step and chooses by how many differences the next is extrapolated:
  * as many as would have foretold this one best, which after a start, with zeros for what is
- * not known, is one; the last gain alone under contact. */
+ * not known, is one. */
 static void learn(struct march *m, double dt)
 {
     const size_t count = count_of(m);
@@ -127,8 +130,6 @@ static void learn(struct march *m, double dt)
             change[t] -= was;
         }
     }
-    if (m->contact && m->contact->count)
-        m->orders = 0;
 }
 
 /* Ends a substep that may touch, and adds its share of the step's force. */

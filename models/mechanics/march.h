@@ -26,7 +26,7 @@
 #include "models/mechanics/pressure.h"
 #include "models/model.h"
 
-enum { MARCH_GAINS = 5 };
+enum { MARCH_GAINS = 5, MARCH_LEARNT = 8 };
 
 struct march {
     /* The owner sets these before march_init; borrowed. */

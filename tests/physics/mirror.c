@@ -8,6 +8,10 @@
  * frames lets it grow. */
 static const double SAME = 1e-12;
 
+/* The same where an implicit step under contact ends with a change of an old tangent, after
+ * which 1e-8 of the length may be left. (Measured: 8e-11.) */
+static const double LEFT = 1e-8;
+
 /* The same where sweeps that end early take one side first, which many sweeps mend, and
  * where the net is not its own mirror image: projective dynamics divides all cells alike.
  * (Measured: 2e-5 at most, and 2.1e-4.) */
@@ -33,10 +37,10 @@ static const struct row {
     {"shell", NET KEY "degree=[2,2,1];" KEY "kinematics=linear", SAME},
     {"shell", NET KEY "integrator=leapfrog;" KEY "substeps=24", SAME},
     {"hex", SOLID, SAME},
-    {"triangles", NET KEY "integrator=momentum", SAME},
+    {"triangles", NET KEY "integrator=momentum", LEFT},
     {"triangles", NET KEY "integrator=leapfrog;" KEY "substeps=48", SAME},
     {"mass_spring", NET, SAME},
-    {"mass_spring", NET KEY "integrator=momentum", SAME},
+    {"mass_spring", NET KEY "integrator=momentum", LEFT},
     {"mass_spring", NET KEY "integrator=explicit;" KEY "substeps=24", SAME},
     {"position_based", NET, SWEPT},
     {"projective_dynamics", NET, DIVIDED},

@@ -263,17 +263,24 @@ out:
 
 /* --- Motion --- */
 
-/* Returns sum c_ab X_a Y_b for functions already evaluated. */
-static double combine(const struct kirchhoff *k, const double *c, const double *X,
-                      const double *Y)
+/* Computes row_a = sum_b c_ab Y_b for functions already evaluated. */
+static void sum_across(const struct kirchhoff *k, const double *c, const double *Y,
+                       double *row)
+{
+    for (int a = 0; a < k->along.count; a++) {
+        row[a] = 0;
+        for (int b = 0; b < k->ny; b++)
+            row[a] += c[a * k->ny + b] * Y[2 * b];
+    }
+}
+
+/* Returns sum X_a row_a. */
+static double sum_along(const struct kirchhoff *k, const double *X, const double *row)
 {
     double sum = 0;
-    for (int a = 0; a < k->along.count; a++) {
-        double row = 0;
-        for (int b = 0; b < k->ny; b++)
-            row += c[a * k->ny + b] * Y[2 * b];
-        sum += X[a] * row;
-    }
+
+    for (int a = 0; a < k->along.count; a++)
+        sum += X[a] * row[a];
     return sum;
 }
 
@@ -306,13 +313,15 @@ static double response(const struct kirchhoff *k, int i, double alpha, double t)
 double kirchhoff_transient(const struct kirchhoff *k, double q, double alpha, double t,
                            double x, double y)
 {
-    double X[RITZ_MAX], Y[RITZ_MAX], sum = 0;
+    double X[RITZ_MAX], Y[RITZ_MAX], row[RITZ_MAX], sum = 0;
 
     assert(t >= 0 && alpha >= 0);
     ritz_eval(&k->along, 0, x / k->plate.length, X);
     ritz_eval(&k->across, 0, y / k->plate.width, Y);
-    for (int i = k->n - 1; i >= 0; i--)
-        sum += response(k, i, alpha, t) * combine(k, k->mode + (size_t)i * k->n, X, Y);
+    for (int i = k->n - 1; i >= 0; i--) {
+        sum_across(k, k->mode + (size_t)i * k->n, Y, row);
+        sum += response(k, i, alpha, t) * sum_along(k, X, row);
+    }
     return q * k->deflection_scale * sum;
 }
 
@@ -321,18 +330,22 @@ double kirchhoff_static(const struct kirchhoff *k, double q, double x, double y)
     return kirchhoff_transient(k, q, 0, INFINITY, x, y);
 }
 
-/* Fills out[ny][nx] = scale sum c_ab X_a(x) Y_b(y), derivatives of order dx and dy. */
-static void tabulate(const struct kirchhoff *k, const double *c, double scale, int dx,
-                     int dy, int nx, const double *x, int ny, const double *y, double *out)
+/* Fills out[ny][nx] = scale sum c_ab X_a(x) Y_b(y), derivatives of order dx and dy. Behind
+ * the coefficients c has room for ny sums across the plate. */
+static void tabulate(const struct kirchhoff *k, double *c, double scale, int dx, int dy,
+                     int nx, const double *x, int ny, const double *y, double *out)
 {
-    double X[RITZ_MAX], Y[RITZ_MAX];
+    double X[RITZ_MAX], Y[RITZ_MAX], *row = c + k->n;
+    const int count = k->along.count;
 
     for (int j = 0; j < ny; j++) {
         ritz_eval(&k->across, dy, y[j] / k->plate.width, Y);
-        for (int i = 0; i < nx; i++) {
-            ritz_eval(&k->along, dx, x[i] / k->plate.length, X);
-            out[j * nx + i] = scale * combine(k, c, X, Y);
-        }
+        sum_across(k, c, Y, row + j * count);
+    }
+    for (int i = 0; i < nx; i++) {
+        ritz_eval(&k->along, dx, x[i] / k->plate.length, X);
+        for (int j = 0; j < ny; j++)
+            out[j * nx + i] = scale * sum_along(k, X, row + j * count);
     }
 }
 
@@ -341,7 +354,7 @@ enum status kirchhoff_grid(const struct kirchhoff *k, double q, double alpha, do
                            double *w_x, double *w_y)
 {
     const double scale = q * k->deflection_scale;
-    double *c = table(k->n); /* coefficients of w / scale */
+    double *c = table((size_t)k->n + (size_t)ny * k->along.count); /* of w / scale */
 
     assert(t >= 0 && alpha >= 0);
     if (!c)

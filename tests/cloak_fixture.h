@@ -4,9 +4,9 @@
 
 #include <float.h>
 
-#include "bench/harness/contestant.h"
 #include "models/grid.h"
-#include "tests/check.h"
+#include "models/vector.h"
+#include "tests/run_fixture.h"
 
 static const double PI = 3.14159265358979323846;
 
@@ -24,14 +24,6 @@ static inline void init_cloak(struct scene *s, double opening, double flare)
     s->shape = SCENE_CLOAK, s->opening = opening, s->flare = flare;
     s->young = 1e5, s->poisson = 0.3, s->density = 0.5;
     REQUIRE(scene_add_support(s, &edge) == STATUS_OK);
-}
-
-static inline const struct model *find(const char *name)
-{
-    const struct contestant *c = NULL;
-
-    REQUIRE(contestant_find(name, &c, NULL) == STATUS_OK);
-    return c->model;
 }
 
 static inline void *create(const struct model *model, const struct scene *s,
@@ -56,11 +48,6 @@ static inline struct discretization net(const struct model *model, int n, int m,
     d.degree[0] = p, d.degree[1] = q;
     d.remedy = REMEDY_NONE;
     return d;
-}
-
-static inline double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 #endif

@@ -27,9 +27,9 @@ static void to_cylinder(const struct scene *s, const double x[3], double *z, dou
     scene_normal(s, w);
     for (int i = 0; i < 3; i++)
         d[i] = x[i] - s->origin[i];
-    *z = dot(d, s->axis_u);
-    *phi = atan2(dot(d, s->axis_v), dot(d, w));
-    *r = hypot(dot(d, s->axis_v), dot(d, w));
+    *z = vector_dot(d, s->axis_u);
+    *phi = atan2(vector_dot(d, s->axis_v), vector_dot(d, w));
+    *r = hypot(vector_dot(d, s->axis_v), vector_dot(d, w));
 }
 
 static void test_points(double opening, double flare)
@@ -101,7 +101,7 @@ static double off(const struct model *model, const struct scene *s,
 static void test_exactness(double opening, double flare)
 {
     static double knots[] = {0, 0, 0, 0.2, 0.2, 0.7, 1, 1, 1};
-    const struct model *iga = find("iga"), *shell = find("shell");
+    const struct model *iga = named("iga")->model, *shell = named("shell")->model;
     const int points = opening > 180 ? 14 : 7;
     struct scene s;
 
@@ -130,7 +130,7 @@ static void test_exactness(double opening, double flare)
  * face; the sentence says so. */
 static void test_misfit(const char *name, int degree)
 {
-    const struct model *model = find(name);
+    const struct model *model = named(name)->model;
     struct discretization d = net(model, 5, 9, 1, degree);
     struct message line;
     struct scene s;
@@ -152,7 +152,7 @@ static void test_misfit(const char *name, int degree)
 static void test_integrals(double opening, double flare)
 {
     const double alpha = opening * PI / 180, beta = flare * PI / 180;
-    const struct model *iga = find("iga");
+    const struct model *iga = named("iga")->model;
     struct discretization d = net(iga, 4, 10, 2, 3);
     struct matrix K, M;
     struct scene s;
@@ -239,7 +239,7 @@ static void test_metrics(void)
         grid_point(n, uvw);
         scene_rest_point(&s, uvw, rest + 3 * n);
         for (int i = 0; i < 3; i++)
-            xyz[3 * n + i] = dot(turn[i], rest + 3 * n) + i;
+            xyz[3 * n + i] = vector_dot(turn[i], rest + 3 * n) + i;
     }
     CHECK_NEAR(metric_stretch(&s, rest), 1, tol_stretch);
     CHECK_NEAR(metric_stretch(&s, xyz), 1, tol_stretch);
@@ -282,13 +282,13 @@ static void test_closed_contact(struct scene *s, const struct discretization *d,
 
     REQUIRE(xyz);
     s->contact.self = true, s->gravity[2] = 0;
-    void *state = create(find("shell"), s, d);
-    CHECK(find("shell")->advance(state, &counters) == STATUS_OK);
-    model_sample(find("shell"), state, xyz);
+    void *state = create(named("shell")->model, s, d);
+    CHECK(named("shell")->model->advance(state, &counters) == STATUS_OK);
+    model_sample(named("shell")->model, state, xyz);
     for (int n = 0; n < 3 * GRID_POINTS; n++)
         most = fmax(most, fabs(xyz[n] - rest[n]));
     CHECK(most < tol_rest);
-    model_destroy(find("shell"), state);
+    model_destroy(named("shell")->model, state);
     free(xyz);
 }
 
@@ -310,14 +310,14 @@ static void test_closed(double flare)
     const double radius = s.width / (2 * PI) + s.length + s.thickness;
     for (int q = 2; q <= 4; q++)
         for (int n = 0; n < 2; n++) {
-            const struct discretization d = net(find(name[n]), 6, 16, q, q);
-            CHECK(off(find(name[n]), &s, &d) < 2 * radius * pow(16 - 1, -q - 1));
+            const struct discretization d = net(named(name[n])->model, 6, 16, q, q);
+            CHECK(off(named(name[n])->model, &s, &d) < 2 * radius * pow(16 - 1, -q - 1));
         }
-    const struct discretization d = net(find("shell"), 6, 16, 3, 3);
-    void *state = create(find("shell"), &s, &d);
-    model_sample(find("shell"), state, rest);
+    const struct discretization d = net(named("shell")->model, 6, 16, 3, 3);
+    void *state = create(named("shell")->model, &s, &d);
+    model_sample(named("shell")->model, state, rest);
     CHECK(metric_intersections(&s, rest) == 0);
-    model_destroy(find("shell"), state);
+    model_destroy(named("shell")->model, state);
     test_closed_contact(&s, &d, rest);
     free(rest);
     scene_clear(&s);
@@ -362,7 +362,7 @@ static void test_drape(void)
  * Asked: 1 %, as of the shell's own test. */
 static void test_roof(const char *name, int n, int p, int l, enum remedy remedy)
 {
-    const struct model *model = find(name);
+    const struct model *model = named(name)->model;
     const bool half = l > 1;
     const struct scene_support shell_end[3] = {
         {.hi = {0, 1, 1}, .fix = FIX_X | FIX_Z},

@@ -3,6 +3,7 @@
  * time_order.c; rest: settle.c.) */
 #include "models/mechanics/lumped_mass.h"
 #include "models/solid/solid_model.h"
+#include "models/vector.h"
 #include "shell_ref/shell_model.h"
 #include "tests/opened_run.h"
 
@@ -22,11 +23,6 @@ enum { KINDS = sizeof kinds / sizeof *kinds };
 static void tip(const struct run *run, double at[3])
 {
     run->model->probe(run->state, 1, (const double[]){1, 0.3, 0.5}, at);
-}
-
-static double distance(const double a[3], const double b[3])
-{
-    return hypot(hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
 }
 
 /* Shares of the distance that the tip goes: the implicit steps' own error at half a
@@ -66,9 +62,9 @@ static double off_implicit(const struct kind *k, const char *points, const char 
         tip(&run[n], at[n]);
         run_close(&run[n]);
     }
-    double way = distance(start, at[1]);
+    double way = vector_distance(start, at[1]);
     CHECK(way > 0.05);
-    return distance(at[0], at[1]) / way;
+    return vector_distance(at[0], at[1]) / way;
 }
 
 /* It goes the same way, whatever damps and moves it. */

@@ -58,7 +58,7 @@ sed '$d' good.obj >hole.obj
 says 'inside the sheet' mesh=hole.obj
 says 'none.obj' mesh=none.obj
 says 'refine: of a mesh that is no grid' refine=1
-says 'arc: with bending=midedge only' mesh=irregular arc=on
+says 'arc=on: with bending=midedge only' mesh=irregular arc=on
 says 'a mesh: with membrane=green only' mesh=irregular membrane=corotational
 ends 2 run sphere --model triangles --set discretization.mesh=irregular
 grep -q 'no contact on a mesh that is no grid' err || fail "contact on a mesh: $(<err)"

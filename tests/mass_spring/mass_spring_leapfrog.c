@@ -1,6 +1,6 @@
-/* Springs in explicit steps, leapfrog's above all: stability limit, scaled velocities, moved
- * edges, precision, stretched springs; slopes, also of swept triangles. (Falls: fall.c;
- * order: time_order.c; the clamp: nets_bend.c.) */
+/* Springs in explicit steps, leapfrog's above all: stability limit, scaled velocities,
+ * moved edges, precision, stretched springs; slopes, also of swept triangles. (Falls:
+ * fall.c; order: time_order.c; the clamp: nets_bend.c.) */
 #include "models/net/spring_stencil.h"
 #include "tests/mass_spring.h"
 #include "tests/opened_run.h"

@@ -269,7 +269,7 @@ static void test_failures(void)
         enum status create, death, want;
         const char *file;
     } row[] = {{{DROP, named("iga"), s, 0}, 0, 0, STATUS_INPUT, file},
-               {{"/proc/nowhere.yaml", named("iga"), {0}, 0}, 0, 0, STATUS_FILE, file},
+               {{"/proc/nowhere.yaml", named("iga"), {0}, 0}, 0, 0, STATUS_INPUT, file},
                {{DROP, &scripted, {0}, 0}, STATUS_MEMORY, 0, STATUS_MEMORY, file},
                /* no death, a failure */
                {{DROP, &scripted, {0}, 0}, 0, STATUS_LIBRARY, STATUS_LIBRARY, file},

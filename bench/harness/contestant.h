@@ -81,7 +81,7 @@ void contestant_points(const struct contestant *c, int u, int v, struct settings
 int contestant_least(const struct contestant *c);
 
 /* scene_file_read with settings, which may name what any model has; for who wants the scene
- * alone. */
+ * alone. STATUS_INPUT: it cannot be read, too. */
 enum status contestant_read_settings(const struct settings *s, const char *path,
                                      struct scene *scene, struct discretization *d,
                                      struct message *why);

@@ -184,8 +184,9 @@ static enum status substep(struct march *m, double t, double dt, struct counters
         .drag = 1 / dt,
         .viscosity = m->V ? m->beta / dt : 0,
         .tolerance = m->tolerance,
-        /* a step that no other Newton step will correct needs its own tangent */
-        .chord = m->full || m->enough ? 0 : CHORD,
+        /* a step that no other Newton step will correct needs its own tangent; touches that
+         * couple have a factor even where the rest is iterated */
+        .chord = (m->full && !m->coupled.used) || m->enough ? 0 : CHORD,
         .limit = 40,
         .enough = m->enough,
     };

@@ -33,12 +33,13 @@ enum { PATIENCE = 5 };
  * they were driven by. */
 enum { LEARNT = MARCH_LEARNT };
 static const double LEAST_CURVE = 1e-2;
-/* It learns from changes that are so many tolerances long: in the fall of forces over
+/* It learns from changes that are so many lengths long: in the fall of forces over
  * shorter ones round-off of the membrane's has a part. */
-static const double FAR = 30;
-/* A tangent that learns, as it does under contact, is kept while changes are so much
- * shorter: a new one, with its solve, costs 4.5 times as much and shortens them to 0.04. */
-static const double LEARNING_CHORD = 0.5;
+static const double FAR = 3e-6;
+/* A tangent that learns, as it does under contact, is kept while its changes shrink as
+ * fast, for its work, as those of a new one did last, which with a solve costs COST as
+ * much; by no less and no more than this. */
+static const double COST = 4.5, LEAST_CHORD = 0.5, MOST_CHORD = 0.8;
 
 static size_t count_of(const struct march *m)
 {
@@ -161,6 +162,7 @@ struct iteration {
     bool whole;    /* contact did not cut d short                                       */
     bool balanced; /* a step was taken whole: r has no resultant any more               */
     int renewed;   /* tangents made since the first change                             */
+    double pays;   /* the least shrinkage of changes that keeps a tangent that learns   */
     bool kept;     /* d is of a tangent that was made at an earlier x                   */
     double before; /* the work of the contact's forces on d where it begins        [J] */
     struct march *m;
@@ -327,7 +329,7 @@ static enum status next_step(struct march *m, const struct large_equation *q,
 
     if (q->chord > 0)
         TRY(solve(m, q, i, &size, counters));
-    i->kept = size <= (touches(m) ? LEARNING_CHORD : i->chord) * i->size;
+    i->kept = size <= (touches(m) ? fmax(LEAST_CHORD, i->pays) : i->chord) * i->size;
     if (!i->kept) {
         i->learns = 0;
         fill_beside(m, q, i);
@@ -335,6 +337,7 @@ static enum status next_step(struct march *m, const struct large_equation *q,
                     counters));
         m->worn = !touches(m) || i->renewed++ > 0;
         TRY(solve(m, q, i, &size, counters));
+        i->pays = fmin(MOST_CHORD, pow(size / i->size, 1 / COST));
     }
     swap = i->d;
     i->d = i->next, i->next = swap, i->size = size;
@@ -372,7 +375,7 @@ static enum status go_on(struct iteration *i, bool anew, struct counters *counte
 
     memcpy(i->next, i->r, count_of(m) * sizeof *i->next);
     TRY(take_step(i));
-    if (i->balanced && !anew && touches(m) && i->size > FAR * tolerance(m, i->q))
+    if (i->balanced && !anew && touches(m) && i->size > FAR * m->scene->length)
         learn(i, i->next);
     i->balanced |= i->whole;
     TRY(next_step(m, i->q, i, counters));

@@ -557,8 +557,8 @@ static void look_back(const struct contact *c, struct contact_touch *t, const do
  * itself, as sliding over a rod does, is to do so. */
 enum { JUMPING = 5, SLIDING = 16 };
 
-/* A step's held touches are found anew while the pushes differ by more than this share from
- * those that bound their friction. */
+/* A step's held touches are found anew, or take their pushes for what bounds their
+ * friction, while these differ by more than this share. */
 static const double ALIKE = 1e-2;
 
 /* Tells whether a held touch is that of a sample with a body; *at: a body's touch before or
@@ -652,13 +652,16 @@ bool contact_release(struct contact *c, bool again)
 {
     double off = 0, all = 0;
 
-    if (!c->held || (c->released && !again))
+    if (!c->held)
         return false;
     for (const struct contact_touch *t = c->touch; t < c->touch + c->count; t++)
         off += fabs(t->push - t->bound), all += t->push;
     if (c->released && off <= ALIKE * all)
         return false;
-    c->held = false, c->released = true;
+    for (struct contact_touch *t = c->touch; t < c->touch + c->count; t++)
+        t->bound = t->push;
+    c->held = c->released && !again;
+    c->released = true;
     return true;
 }
 

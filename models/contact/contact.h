@@ -114,9 +114,10 @@ enum status contact_find(struct contact *c, const double *x);
  * between two states that are none. */
 void contact_hold(struct contact *c, const double *x, double size);
 
-/* Lets held touches go, so that contact_find finds them anew at the x that they led to:
- * what bounds their friction was that of an earlier x. False: none are held, or
- * what they led to is to be taken, as it is after the first time unless `again`. */
+/* Goes on from what held touches led to, x. The first time, and `again`, they are let go,
+ * so that contact_find finds them anew; else they stay held, since feet may jump for ever,
+ * and take their push at x for what bounds their friction. False: none are held, or what
+ * they led to is to be taken, since push and bound are alike. */
 bool contact_release(struct contact *c, bool again);
 
 /* Returns the work that bodies that move did in the step to x[nodes][3] [J]. */

@@ -750,7 +750,7 @@ static void add_payable(struct contest *c, struct tries *t, double most, bool pr
 {
     double spent = contest_spent(c);
 
-    if (c->budget > 0)
+    if (c->budget > 0 && t->count)
         qsort(t->list, (size_t)t->count, sizeof *t->list, compare_seconds);
     for (int n = 0; n < t->count; n++) {
         const double seconds = t->list[n].seconds;

@@ -57,6 +57,7 @@ struct contact {
     double dt;           /* of the step; INFINITY: no rates                     [s]    */
     bool held;           /* by contact_hold                                              */
     bool released;       /* held touches were found anew in this step                   */
+    int bounds;          /* how often held touches took their push for its bound        */
     double least_change; /* of contact_hold's in this step, by halves                [m] */
     int waited;          /* changes since                                               */
     int listed[2];       /* touches and meetings then                                    */

@@ -69,8 +69,7 @@ out:
     return st;
 }
 
-/* --- life ------------------------------------------------------------------------------
- */
+/* --- life ---------------------------------------------------------------------------- */
 
 /* Makes leapfrog's and momentum's net. */
 static enum status make_stencil(struct spring_motion *m, const struct discretization *d)

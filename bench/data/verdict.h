@@ -4,7 +4,7 @@
 #ifndef VERDICT_H
 #define VERDICT_H
 
-/* Of statements, of rows of checks, and of cases by the rules of their plan. */
+/* What is said of a statement, of a row of a check, or of a case by its plan's rules. */
 #define VERDICT_LIST(X)                                                                    \
     X(FAILS, "does not hold")                                                              \
     X(HOLDS, "holds")                                                                      \

@@ -199,7 +199,8 @@ static void tell_shape(const struct scene *scene, const double value[MEASURES],
     }
 }
 
-/* What bodies have not carried yet falls, and its weight does not bend it. */
+/* Adds what the net cannot hold; a sheet that nothing holds and no body has carried yet
+ * falls, and its weight does not bend it. */
 static void tell_net(const struct run *run, double carried, struct told *t)
 {
     const bool falls = !run->scene.support_count && carried < 1;

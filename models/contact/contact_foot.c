@@ -475,22 +475,11 @@ static double rise(double x, double low, double high)
     return t * t * (3 - 2 * t);
 }
 
-/* Returns where the lines of the sheet at u begin. */
-static const double *start_of(const struct contact_surface *s, double u)
-{
-    const double *start = s->line[0];
-
-    while (start + s->rows < s->line[0] + s->points[0] &&
-           u > (start[s->rows - 1] + start[s->rows]) / 2)
-        start += s->rows;
-    return start;
-}
-
 double contact_foot_far(const struct contact_sheet *sheet, const double uv[2],
                         const double other[2])
 {
     const struct contact_surface *s = sheet->surface;
-    const double *start = start_of(s, uv[0]), apart = sheet->tree->apart;
+    const double *start = contact_surface_sheet(s, uv[0]), apart = sheet->tree->apart;
     const double du =
         (other[0] - uv[0]) * (s->flat[0][s->rows - 1] / (start[s->rows - 1] - *start));
     const double dv =
@@ -498,7 +487,7 @@ double contact_foot_far(const struct contact_sheet *sheet, const double uv[2],
     const double square = du * du + dv * dv;
 
     if (square > whole_apart * whole_apart * apart * apart ||
-        start_of(s, other[0]) != start)
+        contact_surface_sheet(s, other[0]) != start)
         return 1;
     return rise(sqrt(square), apart, whole_apart * apart);
 }

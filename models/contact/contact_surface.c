@@ -142,16 +142,23 @@ void contact_surface_at(const struct contact_surface *s, int sample, const doubl
             y[i] += shape[k] * x[3 * (size_t)node[k] + i];
 }
 
+const double *contact_surface_sheet(const struct contact_surface *s, double u)
+{
+    const double *line = s->line[0];
+
+    while (line + s->rows < s->line[0] + s->points[0] &&
+           u > (line[s->rows - 1] + line[s->rows]) / 2)
+        line += s->rows;
+    return line;
+}
+
 struct contact_ends contact_surface_ends(const struct contact_surface *s, double u)
 {
     /* Two samples beyond the ends of the line, and never as far as the next sheet. */
     const double spread = 0x1p-13, beyond = 2;
-    const double *end = s->line[0];
+    const double *end = contact_surface_sheet(s, u);
     struct contact_ends e = {.high = {1, 1}};
 
-    while (end + s->rows < s->line[0] + s->points[0] &&
-           u > (end[s->rows - 1] + end[s->rows]) / 2)
-        end += s->rows;
     e.low[0] = end[0], e.high[0] = end[s->rows - 1];
     for (int d = 0; d < 2; d++) {
         const int cells = (d ? s->points[1] : s->rows) - 1;

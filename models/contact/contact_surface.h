@@ -79,7 +79,10 @@ struct contact_ends {
     double low[2], high[2], least[2], most[2], step[2];
 };
 
-/* Returns those of the sheet at u. */
+/* Returns the lines along u of the sheet at u, the first of s->rows. */
+const double *contact_surface_sheet(const struct contact_surface *s, double u);
+
+/* Returns the ends of the sheet at u. */
 struct contact_ends contact_surface_ends(const struct contact_surface *s, double u);
 
 /* Returns the place nearest to `at` along u (d = 0) or v around which all differences lie

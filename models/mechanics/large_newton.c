@@ -29,9 +29,8 @@ static const double OLD = 0.01;
  * stress, and most never converge: two halves of the time step are cheaper than going on.
  * (edge_drop, undamped, no lag, to 0.9 s, shell 16x16, p = 3: .60 of the assemblies.) */
 enum { PATIENCE = 5 };
-/* The steps that a kept tangent learns from, and the least of their curvature over what
+/* The least curvature of the MARCH_LEARNT steps that a kept tangent learns from, over what
  * they were driven by. */
-enum { LEARNT = MARCH_LEARNT };
 static const double LEAST_CURVE = 1e-2;
 /* It learns from changes that are so many lengths long: in the fall of forces over
  * shorter ones round-off of the membrane's has a part. */
@@ -155,9 +154,11 @@ struct iteration {
     double *d, size;  /* the last step, its largest move [m]                           */
     double *r, *next; /* right-hand side at x; the step from there                     */
     double *work;
-    double *learnt; /* [LEARNT][2] steps since the tangent was made, and the falls of r */
-    double curve[LEARNT]; /* the products of the two                               [J] */
-    int learns;           /* how many of them there are                               */
+    double *
+        learnt; /* [MARCH_LEARNT][2] steps since the tangent was made, and the falls of r */
+    double
+        curve[MARCH_LEARNT]; /* the products of the two                               [J] */
+    int learns;              /* how many of them there are                               */
     double chord;  /* the tangent is kept if the next step is so much shorter           */
     bool whole;    /* contact did not cut d short                                       */
     bool balanced; /* a step was taken whole: r has no resultant any more               */
@@ -177,7 +178,7 @@ static void learn(struct iteration *i, const double *before)
     double *step = i->learnt + 2 * i->learns * count, *fall = step + count, curve = 0;
     double driven = 0;
 
-    if (i->learns == LEARNT)
+    if (i->learns == MARCH_LEARNT)
         return;
     for (size_t t = 0; t < count; t++) {
         step[t] = i->d[t], fall[t] = before[t] - i->r[t];
@@ -214,7 +215,7 @@ static enum status solve(struct march *m, const struct large_equation *q,
                          struct iteration *i, double *size, struct counters *counters)
 {
     enum status st;
-    double share[LEARNT];
+    double share[MARCH_LEARNT];
 
     for (int attempt = 0; attempt < 2; attempt++) {
         memcpy(i->next, i->r, count_of(m) * sizeof *i->next);

@@ -130,8 +130,9 @@ struct march_integrator {
     /* Returns the free unknowns' kinetic energy where the mass is not M [J]. */
     double (*kinetic)(const struct march *m);
     void (*describe)(const struct march *m, struct message *line); /* NULL: nothing       */
-    /* Of steps that need neither system nor contact of the march, which are then made when
-     * equilibrium asks for them: the contact of the last step, and v brought up to x. */
+    /* Set by steps that need neither system nor contact of the march, which are then made
+     * when equilibrium asks for them: the contact of the last step, and v brought up to x.
+     */
     void (*contact)(const struct march *m, struct model_contact *contact);
     void (*look)(const struct march *m);
     void (*clear)(struct march *m); /* frees m->own        */

@@ -454,13 +454,6 @@ def bullet_fold():
                                    ("theirs_ms", "again_ms", "kept_ms", "again", "kept"))]
                      for r in rows])
 
-def contact_search():
-    """A row a net: what looking for its contact with itself costs, in explicit steps."""
-    rows = part("bench_contact", "Searching", "moving_over_step")
-    return markdown(["", "feet", "triangles kept", "in motion", "found again after"],
-                    [[r["net"], r["feet"], digits(r["over_step"], 2), digits(r["moving_over_step"], 2),
-                      digits(r["steps_kept"], 2)] for r in rows])
-
 def part_of(error):
     """A fraction in per cent; of what is round-off, nought."""
     return digits(100 * float(error), 2) if float(error) > 1e-9 else "0"
@@ -670,30 +663,38 @@ def remedies():
         for model in models for cure in ("auto", "none")], bound)
 
 def touching():
-    """A row a run: its last error against the truth, and what holds to its end."""
+    """Of each scene the errors where its truth ends, the distances to the shell at its end, and depths
+    of bodies in the sheet; a column a contestant."""
     whole("study_touching")
-    rows = part("study_touching", "touches", "crossings")
+    runs = {}
+    for r in part("study_touching", "touches", "crossings"):
+        if r["level"] != "truth":
+            runs.setdefault(r["study"], {}).setdefault(r["level"], []).append(r)
+    levels = list(next(iter(runs.values())))
+
+    def shown(run, column, time, scale):
+        if not run or not run[0]["stepping_s"]:
+            return "refused"
+        if any(number(r["crossings"]) > 0 for r in run if r["crossings"]):
+            return "crosses"
+        if column == "penetration":
+            return digits(scale * max((number(r[column]) for r in run if r[column]), default=0), 2)
+        of = next((r[column] for r in run if r["time_s"] == time), "")
+        return digits(scale * number(of), 2) if of else "-" if run[-1]["crossings"] else "died"
+
     made = []
-    for (study, level), run in itertools.groupby(rows, lambda r: (r["study"], r["level"])):
-        run = list(run)
-        if level == "truth" or not run[0]["stepping_s"]:  # refused
-            continue
-        known = [r for r in run if r["error"]]
-        died = not run[-1]["crossings"]
-        depth = max([number(r["penetration"]) for r in run if r["penetration"]], default=0)
-        far = [r for r in run if r["apart"]]
-        made.append([
-            study, level,
-            f"{percent(100 * float(known[-1]['error']))} at {float(known[-1]['time_s']):g} s"
-            if known else "-",
-            percent(100 * float(known[-1]["error_bar"])) if known else "-",
-            "-" if level.startswith("shell") or not far else
-            f"{percent(100 * float(far[-1]['apart']))} at {float(far[-1]['time_s']):g} s",
-            digits(1000 * depth, 2) if depth else "0",
-            str(sum(int(number(r["crossings"])) for r in run if r["crossings"])),
-            "died" if died else digits(run[0]["stepping_s"], 2)])
-    return markdown(["scene", "contestant", "error", "truth's bar", "apart from the shell",
-                     "body in the sheet [mm]", "crossings", "seconds"], made)
+    for scene, of in runs.items():
+        rows = [r for run in of.values() for r in run]
+        for column, what in [("error", "error"), ("apart", "to the shell")]:
+            if known := [r for r in rows if r[column]]:
+                last = max(known, key=lambda r: number(r["time_s"]))
+                bar = digits(100 * number(last["error_bar"]), 2) if column == "error" else "-"
+                made.append([f"`{scene}`: {what} at {number(last['time_s']):g} s", bar] +
+                            [shown(of.get(level), column, last["time_s"], 100) for level in levels])
+        if any(r["penetration"] and number(r["penetration"]) for r in rows):
+            made.append([f"`{scene}`: body in the sheet [mm]", "-"] +
+                        [shown(of.get(level), "penetration", None, 1000) for level in levels])
+    return markdown(["", "truth's bar"] + levels, made)
 
 def fabrics():
     """A row for each scene and model: its last error with the fabric's law and with the mean."""

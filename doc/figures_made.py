@@ -384,12 +384,14 @@ def peers():
                     rows)
 
 def peers_drop():
-    """A row a case on edge_drop."""
+    """A row a case of other people's simulators on edge_drop."""
     cases = by_case(scenes_of(baseline_rows())["edge_drop"])
     judged = next(iter(cases.values()))
     rows = [["truth: its error bar", "", "", "", " ".join(part_of(r["bar"]) for r in judged),
              "", ""]]
     for (simulator, net, step), drop in cases.items():
+        if simulator.startswith("clothbench"):
+            continue
         errors = " ".join(part_of(r["error"]) for r in drop) if drop[0]["error"] else "failed"
         rows.append([simulator, drop[0]["version"], net, f"{1000 * float(step):g} ms", errors,
                      digits(drop[0]["seconds"], 2) if drop[0]["seconds"] else "-",
@@ -398,61 +400,21 @@ def peers_drop():
                      "error at 0.1, 0.2, ... 0.5 s, % of the length", "seconds", "`score` says"],
                     rows)
 
-def peers_said():
-    """What was found on the other scenes, of other people's simulators; refusals but once."""
-    found = {}
-    for scene, of in scenes_of(baseline_rows()).items():
-        for (simulator, _, _), case in by_case(of).items():
-            words, judged = case[-1]["diagnosis"], case[-1]["error"]
-            ours = simulator.startswith("clothbench") or scene in ("edge_drop", "free_fall")
-            if not ours and not (judged and re.match("Nothing |Is at its net|No flaw", words)):
-                key = simulator, said(words) if judged else words.rstrip(".")
-                found.setdefault(key, []).append(f"`{scene}`")
-    return markdown(["", "", "`score`, or the driver, says"],
-                    [[simulator, ", ".join(where), words]
-                     for (simulator, words), where in sorted(found.items())])
-
 def protocol():
     """A row a simulator with the verdicts of `score --protocol`; what is not known stands where
     nothing else is."""
     rows = tables(TOP / "peers" / "protocol.csv")[-1][1]
-    subjects = ["order of the step", "damping", "clamp", "finer nets", "repeated runs", "contact",
-                "place"]
-
-    def word(r):
-        where = r["subject"] == "place" and re.match(r"On (\w+) ", r["sentence"])
-        return f"`{where[1]}` {r['verdict'][6:]}" if where else r["verdict"]
+    subjects = ["order of the step", "damping", "clamp", "finer nets", "contact"]
 
     def cell(name, subject):
-        words = list(dict.fromkeys(word(r) for r in rows
+        words = list(dict.fromkeys(r["verdict"] for r in rows
                                    if (r["simulator"], r["subject"]) == (name, subject)))
         return ", ".join([w for w in words if w != "not known"] or words)
 
     return markdown(["", *subjects],
                     [[name] + [cell(name, subject) for subject in subjects]
-                     for name in dict.fromkeys(r["simulator"] for r in rows)])
-
-def tinyvbd():
-    """A row a strand, in double precision; what single precision does beside it."""
-    rows = result("tinyvbd")[-1][1]
-    return markdown(["", "points", "iterations", "TinyVBD, ms a frame", "`vb_body`", "of TinyVBD's",
-                     "farthest apart", "... in single precision"],
-                    [[r["strand"], r["points"], r["iterations"], digits(single["tinyvbd_ms"], 2),
-                      digits(r["ms"], 2), digits(float(r["ms"]) / float(single["tinyvbd_ms"]), 2),
-                      f"{float(r['apart']):.1g} m", f"{float(single['apart']):.1g} m"]
-                     for r in rows if r["precision"] == "double"
-                     for single in [row(rows, strand=r["strand"], points=r["points"],
-                                        iterations=r["iterations"], precision="float")]])
-
-def bullet_fold():
-    """A row a net of the folded sheet, Bullet's times beside the program's."""
-    rows = result("bullet_fold")[-1][1]
-    return markdown(["", "waves", "Bullet's contacts", "feet", "Bullet, ms", "found again", "kept",
-                     "found again over Bullet's", "kept over Bullet's"],
-                    [[r["net"], f"{r['wave_mm']} mm" if float(r["wave_mm"]) else "none", r["contacts"],
-                      r["feet"], *(digits(r[name], 2) for name in
-                                   ("theirs_ms", "again_ms", "kept_ms", "again", "kept"))]
-                     for r in rows])
+                     for name in dict.fromkeys(r["simulator"] for r in rows)
+                     if not name.startswith("clothbench")])
 
 def part_of(error):
     """A fraction in per cent; of what is round-off, nought."""

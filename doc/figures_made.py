@@ -291,18 +291,6 @@ def why_none(scene):
                      re.M)
     return said[1] if said else "not stored"
 
-def known():
-    """A row for every scene that comes with the program."""
-    rows = []
-    for r in known_rows():
-        cells = ["-", why_none(r["scene"])]
-        if r["truth"] != "none":
-            bar = 100 * float(r["error_bar_over_length"])
-            cells = [f"{float(r['known_to_s']):g} s",
-                     digits(bar, 2) + " %" if bar > 1e-6 else "round-off"]
-        rows.append([f"`{r['scene']}`", r["truth"], *cells])
-    return markdown(["scene", "truth", "known to", "error bar there, or why there is none"], rows)
-
 def bars(scene):
     """[(time, bar in per cent)] of what is claimed."""
     rows = part(f"truth_{scene}", "error bars", "error_bar_over_length")
@@ -310,31 +298,29 @@ def bars(scene):
             if r["error_bar_over_length"]]
 
 def horizon(scene):
+    """How many times a small change has grown by the end, or when a thousandfold."""
     text = (RESULTS / f"truth_{scene}.csv").read_text()
     grown = re.search(r"# Horizon: a change .*? (has grown|grows at most) ([\d.e+]+)-fold "
                       r"(?:at|up to) ([\d.]+) s", text)
-    many = "a thousandfold" if float(grown[2]) > 1000 else f"{grown[2]}-fold"
-    how = {"has grown": "has grown {} at {} s", "grows at most": "at most {} up to {} s"}
-    return how[grown[1]].format(many, grown[3])
-
-def third(scene):
-    """Distance / own bar of the third mechanics, at times at which it is compared."""
-    rows = part(f"truth_{scene}", "error bars", "error_bar_over_length")
-    number = [[100 * float(r[c]) for c in ("third_over_length", "third_bar_over_length")]
-              for r in rows if r.get("third_over_length")]
-    return ", ".join(f"{digits(off, 2 if off >= 0.1 else 1)} ({digits(bar, 2 if bar >= 0.1 else 1)})"
-                     for off, bar in number) or "-"
+    return f"over 1000 at {grown[3]} s" if grown[1] == "has grown" else grown[2]
 
 def truths():
+    """A row for every scene that comes with the program."""
     rows = []
-    for scene in (r["scene"] for r in known_rows() if r["truth"] == "stored"):
-        claimed = bars(scene)
-        rows.append([f"`{scene}`", f"{claimed[-1][0]:g} s",
+    for r in known_rows():
+        cells = ["none", "-", why_none(r["scene"]), "-"]
+        if r["truth"] == "stored":
+            claimed = bars(r["scene"])
+            cells = ["stored", f"{claimed[-1][0]:g} s",
                      ", ".join(digits(bar, 1 if bar < 0.1 else 2) for _, bar in claimed),
-                     third(scene), horizon(scene)])
-    return markdown(["scene", "known to",
-                     "error bar, % of the length, at 0.1, 0.2, ... s and where it ends",
-                     "a third's distance (its bar)", "a change of 1e-6"], rows)
+                     horizon(r["scene"])]
+        elif r["truth"] != "none":
+            bar = 100 * float(r["error_bar_over_length"])
+            cells = [r["truth"], f"{float(r['known_to_s']):g} s",
+                     digits(bar, 2) if bar > 1e-6 else "round-off", "-"]
+        rows.append([f"`{r['scene']}`", *cells])
+    return markdown(["scene", "truth", "known to", "error bar, % of the length, at 0.1, 0.2, ... s and "
+                     "where it ends; or why there is none", "growth of a change"], rows)
 
 def said(diagnosis):
     """Its sentences up to the first explanation."""

@@ -99,12 +99,15 @@ def table1():
                      "RMSE to IGA at 0.1 ... 1 s [m]", "error"], made)
 
 def statements():
-    """Of each reading its name, without its reason; of those that it turns on, too."""
-    rows = part("paper", "statements of the paper", "verdict")
-    return markdown(["section", "the paper states", "reading", "here", "verdict", "turns on"], [
-        [r["source"], r["claim"], r["reading"].partition(" (")[0], r["sentence"].replace("|", "/"),
-         r["verdict"], "; ".join(re.findall("on the reading (.*?), by which", r["turns"]))]
-        for r in rows])
+    """Of each by its first reading what we found, once where neighbours share it, and the readings
+    that turn it."""
+    made, above = [], None
+    for r in part("paper", "statements of the paper", "verdict"):
+        here = r["sentence"].replace("|", "/")
+        made.append([r["source"], r["claim"], "the same" if here == above else here, r["verdict"],
+                     "; ".join(re.findall("on the reading (.*?), by which", r["turns"]))])
+        above = here
+    return markdown(["section", "the paper states", "here", "verdict", "turns on the reading"], made)
 
 # The statements that README has, by how they begin.
 FIRST = ["mass-spring over", "hexahedra come within", "hexahedra of 32x32x2",
@@ -312,7 +315,7 @@ def truths():
         if r["truth"] == "stored":
             claimed = bars(r["scene"])
             cells = ["stored", f"{claimed[-1][0]:g} s",
-                     ", ".join(digits(bar, 1 if bar < 0.1 else 2) for _, bar in claimed),
+                     ", ".join(digits(bar, 1 if bar < 0.1 else 2) if bar > 1e-4 else "0" for _, bar in claimed),
                      horizon(r["scene"])]
         elif r["truth"] != "none":
             bar = 100 * float(r["error_bar_over_length"])

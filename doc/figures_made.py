@@ -255,21 +255,20 @@ def won(scene):
     return rows[:1] + [r for r in rows if r[2] != rows[0][2]][:1]
 
 def compare_scenes():
-    cells = part("compare_scenes", "Contestants over scenes", "target_rmse_over_length")
+    """A row a model: its contestants' least seconds, else their lowest error."""
     by_scene = {}
-    for r in cells:
+    for r in part("compare_scenes", "Contestants over scenes", "target_rmse_over_length"):
         by_scene.setdefault(r["scene"], []).append(r)
     titles = scenes_titles()
 
-    def shown(r):
-        if r["seconds"]:
-            return digits(r["seconds"], 2)
-        if r["lowest_rmse_over_length"]:
-            return f"({percent(100 * float(r['lowest_rmse_over_length']))})"
-        return "refused" if r["refused"] == "1" else "died"
+    def best(scene, model):
+        of = [r for r in scene if r["model"] == model]
+        times = [number(r["seconds"]) for r in of if r["seconds"]]
+        errors = [number(r["lowest_rmse_over_length"]) for r in of if r["lowest_rmse_over_length"]]
+        return digits(min(times), 2) if times else f"({percent(100 * min(errors))})" if errors else "died"
 
-    rows = [[title] + [next((shown(r) for r in scene if r["contestant"] == name), "")
-                       for scene in by_scene.values()] for name, title in titles.items()]
+    models = dict.fromkeys(r["model"] for scene in by_scene.values() for r in scene)
+    rows = [[f"`{model}`"] + [best(scene, model) for scene in by_scene.values()] for model in models]
     firsts = [won(scene) for scene in by_scene.values()]
     ends = [("**first**", lambda scene, first: titles[first[0][1]] if first else "nobody"),
             ("**times less than the next model**",

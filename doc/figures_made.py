@@ -285,44 +285,19 @@ def compare_scenes():
         RESULTS / "compare_scenes.csv") else ""
     return note + markdown([""] + [f"`{name}`" for name in by_scene], rows)
 
-def known_rows():
-    return part("truths", "What is known", "truth")
-
-def why_none(scene):
-    said = re.search(rf"^# {scene} has no truth: (.*)\.$", (RESULTS / "truths.csv").read_text(),
-                     re.M)
-    return said[1] if said else "not stored"
-
-def bars(scene):
-    """[(time, bar in per cent)] of what is claimed."""
-    rows = part(f"truth_{scene}", "error bars", "error_bar_over_length")
-    return [(float(r["time_s"]), 100 * float(r["error_bar_over_length"])) for r in rows
-            if r["error_bar_over_length"]]
-
-def horizon(scene):
-    """How many times a small change has grown by the end, or when a thousandfold."""
-    text = (RESULTS / f"truth_{scene}.csv").read_text()
-    grown = re.search(r"# Horizon: a change .*? (has grown|grows at most) ([\d.e+]+)-fold "
-                      r"(?:at|up to) ([\d.]+) s", text)
-    return f"over 1000 at {grown[3]} s" if grown[1] == "has grown" else grown[2]
-
 def truths():
     """A row for every scene that comes with the program."""
+    reasons = dict(re.findall(r"^# (\w+) has no truth: (.*)\.$",
+                              (RESULTS / "truths.csv").read_text(), re.M))
     rows = []
-    for r in known_rows():
-        cells = ["none", "-", why_none(r["scene"]), "-"]
-        if r["truth"] == "stored":
-            claimed = bars(r["scene"])
-            cells = ["stored", f"{claimed[-1][0]:g} s",
-                     ", ".join(digits(bar, 1 if bar < 0.1 else 2) if bar > 1e-4 else "0" for _, bar in claimed),
-                     horizon(r["scene"])]
-        elif r["truth"] != "none":
+    for r in part("truths", "What is known", "truth"):
+        cells = ["-", reasons.get(r["scene"], "not stored")]
+        if r["truth"] != "none":
             bar = 100 * float(r["error_bar_over_length"])
-            cells = [r["truth"], f"{float(r['known_to_s']):g} s",
-                     digits(bar, 2) if bar > 1e-6 else "round-off", "-"]
-        rows.append([f"`{r['scene']}`", *cells])
-    return markdown(["scene", "truth", "known to", "error bar, % of the length, at 0.1, 0.2, ... s and "
-                     "where it ends; or why there is none", "growth of a change"], rows)
+            cells = [f"{float(r['known_to_s']):g} s",
+                     digits(bar, 2) + " %" if bar > 1e-6 else "round-off"]
+        rows.append([f"`{r['scene']}`", r["truth"], *cells])
+    return markdown(["scene", "truth", "known to", "error bar there, or why there is none"], rows)
 
 def said(diagnosis):
     """Its sentences up to the first explanation."""
@@ -574,44 +549,46 @@ def iterations_split():
                              [f"**{c}**" if e == least else c for c, e in zip(cells, errors)])
     return markdown(["", ""] + [f"{net}, {s} x {n}" for net, s, n in splits], lines)
 
-def errors_by_net(name, columns, bound):
-    """A row for each of `columns`, [(title, cells of its rows)], a column a scene: errors in per cent
-    from coarse to fine; in bold those above bound(row, key, errors of coarser nets)."""
+def falls(name):
+    """Errors on the coarsest and the finest net; in bold where one on the way is above a coarser
+    net's by more than the truth's bar."""
     rows = result(name)[-1][1]
-    nets = [key for key in rows[0] if re.fullmatch(r"at_\d+", key)]
     scenes = list(dict.fromkeys(r["name"] for r in rows))
 
     def cell(r):
-        errors = [number(r[key]) for key in nets]
-        texts = ["-" if math.isnan(e) else digits(100 * e, 2) for e in errors]
-        return " ".join(f"**{text}**" if e > bound(rows, r, nets[n], errors[:n]) else text
-                        for n, (text, e) in enumerate(zip(texts, errors)))
+        errors = [e for key in r if re.fullmatch(r"at_\d+", key) and not math.isnan(e := number(r[key]))]
+        grows = any(e > min(errors[:n]) + number(r["by"]) for n, e in enumerate(errors) if n)
+        text = " to ".join(digits(100 * e, 2) for e in (errors[0], errors[-1]))
+        return f"**{text}**" if grows else text
 
     bars = [digits(100 * max(number(r["by"]) for r in rows if r["name"] == scene), 2)
             for scene in scenes]
     return markdown([""] + [f"`{scene}`" for scene in scenes], [["the truth's bar"] + bars] + [
-        [title] + [cell(row(rows, name=scene, **cells)) for scene in scenes]
-        for title, cells in columns(dict.fromkeys(r["model"] for r in rows))])
-
-def falls(name):
-    """In bold: above a coarser net's error by more than the truth's bar."""
-    return errors_by_net(
-        name, lambda models: [(f"`{model}`", {"model": model}) for model in models],
-        lambda rows, r, key, before: min((e for e in before if e == e), default=math.inf) + number(r["by"]))
+        [f"`{model}`"] + [cell(row(rows, name=scene, model=model)) for scene in scenes]
+        for model in dict.fromkeys(r["model"] for r in rows)])
 
 refinement, refinement_nets = (functools.partial(falls, name) for name in ("refinement", "refinement_nets"))
 
 def remedies():
-    """As it comes and uncured; in bold: above the uncured net's error by more than the truth's bar."""
-    remedy = "discretization.remedy"
+    """As it comes and uncured, errors in per cent from coarse to fine; in bold those above the uncured
+    net's by more than the truth's bar."""
+    rows = result("remedies")[-1][1]
+    scenes = list(dict.fromkeys(r["name"] for r in rows))
 
-    def bound(rows, r, key, before):
-        bare = row(rows, **{"name": r["name"], "model": r["model"], remedy: "none"})
-        return number(bare[key]) + number(bare["by"])
+    def cell(scene, model, cure):
+        of, bare = (row(rows, **{"name": scene, "model": model, "discretization.remedy": remedy})
+                    for remedy in (cure, "none"))
+        errors = [(number(of[key]), number(bare[key])) for key in of if re.fullmatch(r"at_\d+", key)]
+        texts = ["-" if math.isnan(e) else digits(100 * e, 2) for e, _ in errors]
+        return " ".join(f"**{text}**" if e > b + number(bare["by"]) else text
+                        for text, (e, b) in zip(texts, errors))
 
-    return errors_by_net("remedies", lambda models: [
-        (f"`{model}`" + (", uncured" if cure == "none" else ""), {"model": model, remedy: cure})
-        for model in models for cure in ("auto", "none")], bound)
+    bars = [digits(100 * max(number(r["by"]) for r in rows if r["name"] == scene), 2)
+            for scene in scenes]
+    return markdown([""] + [f"`{scene}`" for scene in scenes], [["the truth's bar"] + bars] + [
+        [f"`{model}`" + (", uncured" if cure == "none" else "")] +
+        [cell(scene, model, cure) for scene in scenes]
+        for model in dict.fromkeys(r["model"] for r in rows) for cure in ("auto", "none")])
 
 def touching():
     """Of each scene the errors where its truth ends, the distances to the shell at its end, and depths

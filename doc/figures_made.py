@@ -206,7 +206,7 @@ def verify():
                      "h/L = 0.1, nu to 0.3", "nu = 0.49", "`frequencies`, 63 plates"], rows)
 
 def seconds(text):
-    return "not reached" if not text else digits(text, 2)
+    return digits(text, 2) if text else "-"
 
 TARGETS = ("0.03", "0.02", "0.01", "0.005", "0.002")
 

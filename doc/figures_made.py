@@ -109,6 +109,14 @@ def statements():
         above = here
     return markdown(["section", "the paper states", "here", "verdict", "turns on the reading"], made)
 
+def verdicts():
+    """How many of the paper's statements hold, and how many of these turn on a reading."""
+    rows = part("paper", "statements of the paper", "verdict")
+    return markdown(["verdict", "statements", "of which another reading turns"], [
+        [verdict, str(len(of)), str(sum(bool(r["turns"]) for r in of))]
+        for verdict in dict.fromkeys(r["verdict"] for r in rows)
+        for of in [[r for r in rows if r["verdict"] == verdict]]])
+
 # The statements that README has, by how they begin.
 FIRST = ["mass-spring over", "hexahedra come within", "hexahedra of 32x32x2",
          "a frame grows as", "rows 14 and 15"]

@@ -179,6 +179,7 @@ def wheel_and_example():
     check("pip: " + pip.stderr[-500:], not pip.returncode)
     version = clothbench.run("--version").split()[2]
     check("version", os.path.isdir(f"site/clothbench-{version}.dist-info"))
+    check("templates", os.path.exists("site/clothbench/page.html.j2"))
     try:
         ctypes.CDLL("libode.so.8")
     except OSError:

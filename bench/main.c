@@ -94,7 +94,7 @@ static void print_plan_help(FILE *file)
         "{KEY: VALUE, ...}, ...}, and every combination of them is a case.\n"
         "KEY is any that --set takes (clothbench help scene), scene, model, or gamma or\n"
         "young_over_density, which set material.young so that the number takes the value.\n"
-        "Measures of verdicts, falls and maps:\n\n",
+        "Measures of verdicts:\n\n",
         file);
     for (int n = 0; n < MEASURES; n++)
         fprintf(file, "  %-20s%-9s%s\n", measure_name(n), measure_unit(n),

@@ -553,46 +553,50 @@ def iterations_split():
                              [f"**{c}**" if e == least else c for c, e in zip(cells, errors)])
     return markdown(["", ""] + [f"{net}, {s} x {n}" for net, s, n in splits], lines)
 
-def falls(name):
-    """Errors on the coarsest and the finest net; in bold where one on the way is above a coarser
-    net's by more than the truth's bar."""
+def errors_by_net(name, columns, bound, joined=" ".join):
+    """A row for each of `columns`, [(title, cells of its rows)], a column a scene: errors in per cent
+    from coarse to fine; in bold those above bound(rows, row, errors of coarser nets) and the truth's bar."""
     rows = result(name)[-1][1]
     scenes = list(dict.fromkeys(r["name"] for r in rows))
+    bars = {scene: max(number(r["truth_bar_end"]) for r in rows if r["name"] == scene and r["truth_bar_end"])
+            for scene in scenes}
 
-    def cell(r):
-        errors = [e for key in r if re.fullmatch(r"at_\d+", key) and not math.isnan(e := number(r[key]))]
-        grows = any(e > min(errors[:n]) + number(r["by"]) for n, e in enumerate(errors) if n)
-        text = " to ".join(digits(100 * e, 2) for e in (errors[0], errors[-1]))
-        return f"**{text}**" if grows else text
+    def cell(of):
+        errors = [number(r["truth_error_end"]) for r in of]
+        texts = ["-" if math.isnan(e) else digits(100 * e, 2) for e in errors]
+        return joined([f"**{text}**" if e > bound(rows, r, errors[:n]) + bars[r["name"]] else text
+                       for n, (r, text, e) in enumerate(zip(of, texts, errors))])
 
-    bars = [digits(100 * max(number(r["by"]) for r in rows if r["name"] == scene), 2)
-            for scene in scenes]
-    return markdown([""] + [f"`{scene}`" for scene in scenes], [["the truth's bar"] + bars] + [
-        [f"`{model}`"] + [cell(row(rows, name=scene, model=model)) for scene in scenes]
-        for model in dict.fromkeys(r["model"] for r in rows)])
+    return markdown([""] + [f"`{scene}`" for scene in scenes],
+                    [["the truth's bar"] + [digits(100 * bar, 2) for bar in bars.values()]] + [
+        [title] + [cell([r for r in rows if r["name"] == scene and cells.items() <= r.items()]) for scene in scenes]
+        for title, cells in columns(dict.fromkeys(r["model"] for r in rows))])
+
+def falls(name):
+    """The coarsest and the finest net's; in bold where one on the way is above a coarser net's error
+    by more than the truth's bar."""
+    def ends(cells):
+        known = [c for c in cells if c != "-"]
+        text = " to ".join(c.strip("*") for c in (known[0], known[-1])) if known else "-"
+        return f"**{text}**" if any("*" in c for c in known) else text
+
+    return errors_by_net(
+        name, lambda models: [(f"`{model}`", {"model": model}) for model in models],
+        lambda rows, r, before: min((e for e in before if e == e), default=math.inf), ends)
 
 refinement, refinement_nets = (functools.partial(falls, name) for name in ("refinement", "refinement_nets"))
 
 def remedies():
-    """As it comes and uncured, errors in per cent from coarse to fine; in bold those above the uncured
-    net's by more than the truth's bar."""
-    rows = result("remedies")[-1][1]
-    scenes = list(dict.fromkeys(r["name"] for r in rows))
+    """As it comes and uncured; in bold: above the uncured net's error by more than the truth's bar."""
+    remedy = "discretization.remedy"
 
-    def cell(scene, model, cure):
-        of, bare = (row(rows, **{"name": scene, "model": model, "discretization.remedy": remedy})
-                    for remedy in (cure, "none"))
-        errors = [(number(of[key]), number(bare[key])) for key in of if re.fullmatch(r"at_\d+", key)]
-        texts = ["-" if math.isnan(e) else digits(100 * e, 2) for e, _ in errors]
-        return " ".join(f"**{text}**" if e > b + number(bare["by"]) else text
-                        for text, (e, b) in zip(texts, errors))
+    def bound(rows, r, before):
+        return number(row(rows, **{key: r[key] for key in ("name", "model", "discretization.points")},
+                          **{remedy: "none"})["truth_error_end"])
 
-    bars = [digits(100 * max(number(r["by"]) for r in rows if r["name"] == scene), 2)
-            for scene in scenes]
-    return markdown([""] + [f"`{scene}`" for scene in scenes], [["the truth's bar"] + bars] + [
-        [f"`{model}`" + (", uncured" if cure == "none" else "")] +
-        [cell(scene, model, cure) for scene in scenes]
-        for model in dict.fromkeys(r["model"] for r in rows) for cure in ("auto", "none")])
+    return errors_by_net("remedies", lambda models: [
+        (f"`{model}`" + (", uncured" if cure == "none" else ""), {"model": model, remedy: cure})
+        for model in models for cure in ("auto", "none")], bound)
 
 def touching():
     """Of each scene the errors where its truth ends, the distances to the shell at its end, and depths

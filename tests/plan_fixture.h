@@ -24,7 +24,6 @@ static const char *const GOOD[] = {
     "keep: snapshots",
     "time_limit: 10",
     "verdicts: [{label: big, measure: drop_max, above: 1, why: a test}]",
-    "map: {x: gamma, y: damping.value}",
 };
 enum { LINES = sizeof GOOD / sizeof *GOOD };
 

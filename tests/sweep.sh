@@ -47,7 +47,6 @@ awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) column[$i] = i }
                   off = $column["gamma_measured"] / $column["gamma"] - 1
                   if (off > 1e-14 || off < -1e-14) { print; exit 1 } }' \
     one/table.csv || fail 'gamma is not what the plan asks for'
-[ "$(head -n 1 one/map.csv | cut -d, -f 1,2)" = panel,label ] || fail 'no map.csv'
 
 # --- the folder -------------------------------------------------------------------------
 sed 's/scene: edge_drop/scene: .\/here.yaml/' plan.yaml >here_plan.yaml
@@ -88,9 +87,9 @@ row fine 'feasible,feasible,'
 row dies 'infeasible,"chaotic, penetration",.* 0.265 s'
 row refused 'none,no result,'
 row unsupported 'none,unsupported,'
-# --- distances to the truth, and what is to fall ------------------------------------------
-cat >falls.yaml <<'PLAN'
-name: falls
+# --- distances to the truth ---------------------------------------------------------------
+cat >true.yaml <<'PLAN'
+name: true
 source: a test
 scene: strip_swing
 settings: {time.end: 0.25}
@@ -98,37 +97,31 @@ axes:
   model: [mass_spring_leapfrog, triangles]
   discretization.points: [[6, 6], [11, 11]]
 look: 20
-falls: {measure: truth_error_end, along: discretization.points, by: truth_bar_end}
 PLAN
-run falls.yaml --out falls
-{ [ "$code" -eq 0 ] && [ ! -s err ]; } || fail "an error that falls: exit $code: $(<err)"
+run true.yaml --out true
+{ [ "$code" -eq 0 ] && [ ! -s err ]; } || fail "a truth: exit $code: $(<err)"
+truths() { # FOLDER: error and bar at the end, of each case
+    sed 's/"[^"]*"/quoted/g' "$1/table.csv" |
+        awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) column[$i] = i }
+            NR > 1 { print $column["truth_error_end"] "," $column["truth_bar_end"] }'
+}
 # of the looks at 0.1, 0.2 and 0.25 s the truth has the first two; the bar is that at 0.2 s
 bar=$("$program" truth strip_swing --stored --format csv | awk -F, '/^#/ { next }
     !names { for (i = 1; i <= NF; i++) column[$i] = i; names = 1; next }
     $1 - 0.2 < 1e-9 && 0.2 - $1 < 1e-9 { print $column["error_bar_over_length"] }')
-awk -F, -v bar="$bar" 'NR == 1 { for (i = 1; i <= NF; i++) column[$i] = i }
-    NR > 1 { off = $column["by"] / bar - 1; fine = $column["at_2"]
-             if (off > 1e-6 || off < -1e-6 || fine <= 0 || fine > 0.05) exit 1 }' \
-    falls/falls.csv || fail "the bar of strip_swing is $bar: $(<falls/falls.csv)"
-# the other way round it grows, by the exit code, also where nothing is left to run
-sed 's/\[\[6, 6\], \[11, 11\]\]/[[11, 11], [6, 6]]/' falls.yaml >grows.yaml
-for _ in once again; do
-    run grows.yaml --out grows
-    ends 1
-    grep -q 'mass_spring_leapfrog .* \[6,6\]$' out || fail "an error that grows: $(<out)"
-done
-run grows.yaml --out quiet --quiet
-{ [ "$code" -eq 1 ] && [ ! -s out ] && [ -s quiet/falls.csv ]; } || fail "--quiet: exit $code"
+truths true | awk -F, -v bar="$bar" '{ off = $2 / bar - 1
+    if (off > 1e-6 || off < -1e-6 || $1 <= 0 || $1 > 0.05 || NR % 2 == 0 && $1 > coarse) exit 1
+    coarse = $1 } END { if (NR != 4) exit 1 }' || fail "the bar of strip_swing is $bar: $(truths true)"
 # other physics, and velocities that are scaled each step, have no truth
 for other in 'material.young: 2e5' 'damping: {kind: velocity_scale, value: 0.5}'; do
-    sed "s/{time.end/{$other, time.end/" falls.yaml >other.yaml
+    sed "s/{time.end/{$other, time.end/" true.yaml >other.yaml
     run other.yaml --out "other_${other%%[:.]*}"
     [ "$code" -eq 0 ] || fail "$other: exit $code: $(<err)"
-    grep -q 'triangles  *no value  *no value' out || fail "$other: $(<out)"
+    [ "$(truths "other_${other%%[:.]*}" | sort -u)" = , ] || fail "$other: $(truths "other_${other%%[:.]*}")"
 done
 
 # --- names are words ----------------------------------------------------------------------
-# whatever a case is called, it is text on the map and one cell of the table
+# whatever a case is called, it is one cell of the table
 cat >names.yaml <<'PLAN'
 name: names
 source: a test
@@ -140,13 +133,11 @@ axes:
     "EOD system('touch pwned') `touch pwned` %s $x {a} \\": {}
   damping.value: [0.1, 0.9]
   gamma: [10, 100]
-map: {x: damping.value, y: gamma, panel: case}
 PLAN
 run names.yaml --out names
 { [ "$code" -eq 0 ] && [ ! -s err ]; } || fail "names: exit $code: $(<err)"
 [ -z "$(find . -name pwned)" ] || fail 'a name ran as a command'
 grep -qF "1,\"it's \"\"a\"\"" names/table.csv || fail "names: $(<names/table.csv)"
-grep -qF "\"it's \"\"a\"\"" names/map.csv || fail "map of odd names: $(<names/map.csv)"
 
 # --- signals ----------------------------------------------------------------------------
 # Ctrl-C stops the sweep with a sentence, and no child is left.

@@ -27,7 +27,6 @@ look: 2
 time_limit: 120
 verdicts:
   - {label: falls, measure: drop_max, above: 0.001, why: a test}
-map: {x: damping.value, y: gamma, panel: material.poisson}
 PLAN
 }
 

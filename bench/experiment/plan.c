@@ -669,55 +669,7 @@ static enum status read_verdicts(const struct schema_key *key, const struct yaml
     return yaml_tree_refuse(node, why, "%s: %s", key->key, reason.text);
 }
 
-static enum status read_measure(const struct schema_key *key, const struct yaml_tree *node,
-                                void *target, struct message *why)
-{
-    int *measure = (void *)((char *)target + key->offset);
-    const int found = node->kind == YAML_TREE_SCALAR ? measure_find(node->text) : -1;
-
-    if (found < 0)
-        return schema_refuse(key, node, why);
-    *measure = found;
-    return STATUS_OK;
-}
-
 /* clang-format off */
-#define ONE_MEASURE SCHEMA_SPECIAL, .read = read_measure, .want = "the name of a measure"
-static const struct schema_key FALLS[] = {
-    {"measure", "measure that has to fall", ONE_MEASURE, .required = true, IN(plan, falls.measure)},
-    {"along", "the axis, with values from coarse to fine", SCHEMA_TEXT,
-     .required = true, IN(plan, falls.along)},
-    {"by", "measure by which it may grow (not at all)", ONE_MEASURE, IN(plan, falls.by)},
-    {NULL}};
-
-static const struct schema_key MARK[] = {
-    {"text", "on the point", SCHEMA_TEXT, .required = true, IN(plan_mark, text)},
-    {"label", "in the legend", SCHEMA_TEXT, .required = true, IN(plan_mark, label)},
-    {"at", "settings of its case", WITH_MAP, .required = true,
-     IN(plan_mark, settings)},
-    {NULL}};
-
-static enum status read_mark(const struct yaml_tree *node, void *target,
-                             struct message *why)
-{
-    struct plan_mark *mark = target;
-
-    mark->line = node->line;
-    return read_table(MARK, node, "a mark", mark, why);
-}
-
-LIST_READER(read_marks, plan_map, marks, mark_count, read_mark)
-
-static const struct schema_key MAP[] = {
-    {"x", "axis, key or measure along x", SCHEMA_TEXT, .required = true, IN(plan, map.x)},
-    {"y", "axis, key or measure along y", SCHEMA_TEXT, .required = true, IN(plan, map.y)},
-    {"panel", "axis or key whose values have a panel each", SCHEMA_TEXT,
-     IN(plan, map.panel)},
-    {"marks", "points on the map that are no cases", SCHEMA_SPECIAL, .most = PLAN_MAX_MARKS,
-     .read = read_marks, IN(plan, map),
-     .want = "a list of {text: ..., label: ..., at: {KEY: VALUE}}"},
-    {NULL}};
-
 static const struct schema_key TABLE[] = {
     {"columns", "quantities, a column each", SCHEMA_SPECIAL, .required = true,
      .read = read_words, .most = PLAN_TABLE_COLUMNS, IN(plan, table.columns),
@@ -765,9 +717,6 @@ static const struct schema_key PLAN[] = {
      .want = "rules {label: ..., measure: ..., above or below: ..., why: ...}, or the plan "
              "that has them",
      IN(plan, verdicts)},
-    {"falls", "what is to fall along an axis; exit 1 where it grows", SCHEMA_SECTION,
-     .keys = FALLS},
-    {"map", "what the plot shows", SCHEMA_SECTION, .keys = MAP},
     SHARED_KEYS(offsetof(struct reading, base)),
     {"studies", "each has these axes, times, ... but for its own", SCHEMA_SPECIAL,
      .read = read_studies, .keys = STUDY,
@@ -1001,8 +950,6 @@ static enum status read_tree(const struct yaml_tree *root, struct plan *plan,
                                 "name is %s, but must be 1 to 64 of the characters a-z, "
                                 "0-9, _ and -",
                                 yaml_tree_describe(yaml_tree_find(root, "name")).text);
-    plan->map.line = line_of(root, "map", root->line);
-    plan->falls.line = line_of(root, "falls", root->line);
     for (int n = 0; n < plan->statement_count; n++)
         if (!plan->statements[n].readings && yaml_tree_find(root, "readings"))
             TRY(read_readings(&(struct schema_key){.offset = 0},
@@ -1017,8 +964,7 @@ enum status plan_parse(const char *path, struct plan *plan, struct message *why)
     enum status st = STATUS_OK;
     struct yaml_tree *root = NULL;
 
-    *plan = (struct plan){
-        .look = 10, .time_limit = 600, .falls = {.by = -1}, .chart.from = NAN};
+    *plan = (struct plan){.look = 10, .time_limit = 600, .chart.from = NAN};
     if (why)
         why->text[0] = '\0';
     struct arena first = {0};
@@ -1117,69 +1063,6 @@ static void add_keys(struct plan *plan)
                 add_keys_of(plan, &study->axis[k].levels[i].quick);
             }
     }
-}
-
-/* Returns an axis of a study; NULL: it has none of this name. */
-static const struct plan_axis *find_axis(const struct plan_study *study, const char *name)
-{
-    for (int n = 0; n < study->axis_count; n++)
-        if (!strcmp(study->axis[n].name, name))
-            return &study->axis[n];
-    return NULL;
-}
-
-static enum status check_map(const struct plan *plan, struct message *why)
-{
-    const char *const names[] = {plan->map.x, plan->map.y, plan->map.panel};
-
-    for (int n = 0; n < 3; n++) {
-        bool known = !names[n] || measure_find(names[n]) >= 0;
-        for (int k = 0; !known && k < plan->key_count; k++)
-            known = !strcmp(plan->keys[k], names[n]);
-        for (int k = 0; !known && k < plan->study_count; k++)
-            known = find_axis(&plan->studies[k], names[n]);
-        if (!known)
-            return plan_case_refuse(
-                plan, plan->map.line, why,
-                "the map shows %s, which is no axis, no key of the plan and no measure",
-                yaml_tree_quote(names[n]).text);
-    }
-    return STATUS_OK;
-}
-
-/* Refuses a measure that is to fall along what is no axis of two values and more. */
-static enum status check_falls(const struct plan *plan, struct message *why)
-{
-    const char *along = plan->falls.along;
-
-    for (int n = 0; along && n < plan->study_count; n++) {
-        const struct plan_axis *axis = find_axis(&plan->studies[n], along);
-        if (!axis || axis->count < 2 || n > 0)
-            return plan_case_refuse(plan, plan->falls.line, why,
-                                    "falls is along %s, but must be along an axis of two "
-                                    "values at least, of one study",
-                                    yaml_tree_quote(along).text);
-    }
-    return STATUS_OK;
-}
-
-/* Checks that the scene of a mark can be read, and that it says where on the map it lies.
- */
-static enum status check_mark(const struct plan *plan, const struct plan_mark *mark,
-                              struct message *why)
-{
-    const char *const names[] = {plan->map.x, plan->map.y};
-    struct message text;
-    struct scene scene = {0};
-
-    for (int n = 0; n < 2; n++)
-        if (!derived_key_is(names[n]) && !plan_settings_find(&mark->settings, names[n]))
-            return plan_case_refuse(plan, mark->line, why,
-                                    "the mark %s lacks the key %s, which the map shows",
-                                    yaml_tree_quote(mark->text).text, names[n]);
-    const enum status st = plan_case_mark(plan, &mark->settings, &scene, &text);
-    scene_clear(&scene);
-    return plan_case_pass(plan, mark->line, st, &text, why);
 }
 
 /* Checks that there is a frame at every time. */
@@ -1396,15 +1279,11 @@ static enum status check(struct plan *plan, struct message *why)
     if (!plan_settings_find(&plan->settings, "model")) /* the program's first */
         add_text(plan->arena, &plan->settings, "model", contestant_model(0)->name, 1);
     add_keys(plan);
-    TRY(check_map(plan, why));
-    TRY(check_falls(plan, why));
     if (plan_case_count(plan) > PLAN_MAX_CASES)
         return plan_case_refuse(plan, 1, why,
                                 "the plan has more than %d cases, the most there may be",
                                 PLAN_MAX_CASES);
     TRY(check_studies(plan, why));
-    for (int n = 0; n < plan->map.mark_count; n++)
-        TRY(check_mark(plan, &plan->map.marks[n], why));
 out:
     return st;
 }

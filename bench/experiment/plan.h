@@ -26,7 +26,6 @@
 
 enum {
     PLAN_MAX_CASES = 100000,
-    PLAN_MAX_MARKS = 10000,
     PLAN_TABLE_COLUMNS = 16,
 };
 
@@ -119,31 +118,6 @@ struct plan_study {
 
 /* --- The plan. */
 
-/* A point on the map that is no case: where another's result lies. */
-struct plan_mark {
-    struct arena *arena; /* in which all of the plan lies                   borrowed */
-    char *text, *label;  /* on the point; in the legend                          owned  */
-    int line;
-    struct plan_settings settings;
-};
-
-struct plan_map {
-    char *x, *y, *panel; /* axes, keys or measures; x NULL: no map; panel may be NULL
-                                                                                owned */
-    int line;
-    int mark_count;
-    struct plan_mark *marks; /*                                                  owned */
-};
-
-/* A measure that is to fall along an axis: from one value of the key to any later one, all
- * other keys equal, it may grow by the measure `by` at most. */
-struct plan_falls {
-    char *along; /* name of an axis; NULL: nothing is to fall                  owned   */
-    int measure; /* enum measure                                                       */
-    int by;      /* likewise; -1: it may not grow at all                               */
-    int line;    /* in the plan                                                        */
-};
-
 /* One table of all studies, a row for each level and time. */
 struct plan_table {
     struct plan_settings columns; /* names of quantities (results.h), as keys; none: a
@@ -197,8 +171,6 @@ struct plan {
     enum plan_keep keep;
     double time_limit; /* of a case [s]                                                */
     struct rules verdicts;
-    struct plan_falls falls;
-    struct plan_map map;
     int study_count;
     struct plan_study *studies; /* owned                                               */
     struct plan_products skip, paper;
@@ -275,11 +247,6 @@ enum status plan_case_given(const struct plan *plan, long number, struct plan_ca
  * line. */
 enum status plan_case_scene(const struct plan_case *c, struct scene *scene,
                             struct message *why);
-
-/* Reads the scene of a mark on the map: the first case with the mark's settings on top.
- * STATUS_INPUT with a sentence. */
-enum status plan_case_mark(const struct plan *plan, const struct plan_settings *settings,
-                           struct scene *scene, struct message *why);
 
 /* Turns a sentence on a case's scene into `plan:line: ...` with the line of the setting
  * that it blames, else that of the scene. STATUS_INPUT then, or st. */

@@ -44,27 +44,6 @@ enum status plan_case_scene(const struct plan_case *c, struct scene *scene,
     return st;
 }
 
-static void put(struct plan_case *c, const struct plan_settings *settings)
-{
-    for (int n = 0; n < settings->count; n++)
-        settings_word(&c->run.settings, settings->list[n].key, settings->list[n].value);
-}
-
-enum status plan_case_mark(const struct plan *plan, const struct plan_settings *settings,
-                           struct scene *scene, struct message *why)
-{
-    struct plan_case c;
-    enum status st;
-
-    *scene = (struct scene){0};
-    TRY(plan_case_open(plan, 0, &c, why));
-    put(&c, settings);
-    TRY(plan_case_scene(&c, scene, why));
-out:
-    plan_case_clear(&c);
-    return st;
-}
-
 static int key_index(const struct plan *plan, const char *key)
 {
     for (int k = 0; k < plan->key_count; k++)

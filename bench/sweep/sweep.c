@@ -204,33 +204,24 @@ static void print_cost(const struct sweep *s)
                100 * p->seconds / (p->wall * p->hands));
     else
         printf("Nothing was left to run.\n");
-    printf("%s: table.csv, %s%sa file a case; clothbench report %s draws "
-           "them.\n",
-           s->folder.path, s->plan.falls.along ? "falls.csv, " : "",
-           s->plan.map.x ? "map.csv, " : "", s->folder.path);
+    printf("%s: table.csv, a file a case; clothbench report %s draws them.\n",
+           s->folder.path, s->folder.path);
 }
 
-/* Writes tables and map from the files of the cases, and prints a summary. */
+/* Writes the table from the files of the cases, and prints a summary. */
 static enum status collect(const struct sweep *s, struct message *why)
 {
     struct printer p = {TABLE_TEXT, s->quiet ? NULL : stdout, s->folder.path};
     struct sweep_rows rows = {0};
-    struct sweep_falls falls = {0};
     enum status st;
 
     TRY(sweep_rows_read(&rows, &s->plan, &s->folder));
     TRY(sweep_rows_save(&rows, &p, why));
-    TRY(sweep_map(&rows, &p, why));
     if (!s->quiet)
         sweep_rows_print(&rows, stdout);
-    TRY(sweep_falls_print(&rows, &p, &falls, why));
     if (!s->quiet)
         print_cost(s);
     TRY(ferror(stdout) ? STATUS_FILE : STATUS_OK);
-    if (falls.grown)
-        st = status_fail(why, STATUS_FAILED, "%s grows along %s in %ld of %ld rows",
-                         measure_name(s->plan.falls.measure), s->plan.falls.along,
-                         falls.grown, falls.rows);
 out:
     arena_clear(&rows.arena);
     return st;
@@ -336,15 +327,14 @@ const struct command sweep_command = {
     .arguments = "PLAN [OPTION]...",
     .text =
         "Runs every case of a plan, each in a process of its own, judges them by the\n"
-        "plan's rules, and writes one result file a case, table.csv with all keys and\n"
-        "measures, and map.csv, the map that `clothbench report` draws. PLAN is\n"
+        "plan's rules, and writes one result file a case and table.csv with all keys and\n"
+        "measures, which `clothbench report` draws as a map: the last axis along x, the\n"
+        "one before it along y, and a panel for each case of the others. PLAN is\n"
         "feasibility, stability, table4, refinement, refinement_nets, remedies or a YAML\n"
         "file; the other plans of `clothbench list plans` have times and are for\n"
         "`clothbench study`. A case that\n"
-        "dies, hangs or is refused is a row, too. If the plan names a measure that has\n"
-        "to fall along an axis (refinement, remedies), falls.csv lists it, and the exit\n"
-        "code is 1 where it grows. This plan has two by three cases; `clothbench help\n"
-        "plan` has all keys:\n"
+        "dies, hangs or is refused is a row, too. This plan has two by three cases;\n"
+        "`clothbench help plan` has all keys:\n"
         "\n" SWEEP_PLAN "\n"
         "Ctrl-C, SIGKILL or a full disk cost only the cases that are running. The same\n"
         "command continues: it repeats cases that were killed or suspended, ran out of\n"

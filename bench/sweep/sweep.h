@@ -3,7 +3,7 @@
  *
  *     plan --> cases --> pool of processes --> a file a case in the folder (sweep_folder.c)
  *                                                            |
- *     table.csv, falls.csv, map.csv, summary <-- rows in memory (sweep_rows.c)
+ *                  table.csv, summary <-- rows in memory (sweep_rows.c)
  */
 #ifndef SWEEP_H
 #define SWEEP_H
@@ -22,7 +22,7 @@
  *                      both are sealed and have the case's key (measurement.h): a damaged
  *                      one, and one with another key, is run again
  *   lock               held while a sweep is at work
- *   table.csv, falls.csv, map.csv      made from the cases in the end
+ *   table.csv          made from the cases in the end
  *
  * Other files in the folder are left alone. A link that stands where one of these is to be
  * written is replaced; its target is left alone, too.
@@ -100,11 +100,6 @@ void sweep_rows_init(struct sweep_rows *rows, const struct plan *plan);
 void sweep_rows_set(struct sweep_rows *rows, long number, enum sweep_state state,
                     const struct run_result *result, const char *why);
 
-/* Returns the case of the same study that has these labels and else those of case `number`;
- * -1: there is none. */
-long sweep_rows_with(const struct plan *plan, long number,
-                     const struct plan_settings *labels);
-
 /* Refuses a reference whose fields are not kept: STATUS_INPUT with a sentence. */
 enum status sweep_rows_check(const struct plan *plan, struct message *why);
 
@@ -120,27 +115,5 @@ enum status sweep_rows_save(const struct sweep_rows *rows, const struct printer 
 
 /* Prints the plan, and how many cases have which label and end. */
 void sweep_rows_print(const struct sweep_rows *rows, FILE *file);
-
-/* --- The fall (sweep_falls.c) of a measure along an axis of a plan (`falls`): a row for
- * each choice of the other labels, the values of the axis as columns, and where it grows.
- */
-struct sweep_falls {
-    long rows, grown; /* rows with two values to compare; those in which one grows      */
-};
-
-/* Judges all rows and prints their table, also as falls.csv; nothing if the plan says of
- * nothing that it falls. A value grows if it is above the smallest one before it in its row
- * by more than the plan's `by` at that case; a death grows if a value stands before it. A
- * case without a value is not judged. */
-enum status sweep_falls_print(const struct sweep_rows *rows, struct printer *p,
-                              struct sweep_falls *f, struct message *why);
-
-/* --- The map (sweep_map.c): labels over two keys or measures, a panel for each value of a
- * third, with the plan's marks on it, as FOLDER/map.csv, which `report` draws.
- *
- * Writes nothing for a plan without a map. STATUS_INPUT: a mark; STATUS_FILE,
- * STATUS_MEMORY. */
-enum status sweep_map(const struct sweep_rows *rows, const struct printer *p,
-                      struct message *why);
 
 #endif

@@ -42,9 +42,9 @@ static enum status lock(const struct sweep_folder *folder, struct message *why)
 
 /* The names of files that a sweep writes, and of those that are half done,
  * `NAME.PID-N.part` (atomic_file.h), whose ending is the last group. */
-static const char OWN[] = "^(case_[0-9]{6,}\\.(h5|xdmf|txt)|(table|falls|map)\\.csv)"
+static const char OWN[] = "^(case_[0-9]{6,}\\.(h5|xdmf|txt)|table\\.csv)"
                           "(\\.[0-9]+-[0-9]+\\.part)?$";
-enum { PART = 4, GROUPS };
+enum { PART = 3, GROUPS };
 
 void sweep_folder_tidy(const struct sweep_folder *folder)
 {

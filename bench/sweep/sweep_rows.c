@@ -38,15 +38,17 @@ void sweep_rows_set(struct sweep_rows *rows, long number, enum sweep_state state
 /* --- the reference of a case ------------------------------------------------------------
  */
 
-long sweep_rows_with(const struct plan *plan, long number,
-                     const struct plan_settings *labels)
+/* Returns the case of the same study that has the labels of the reference and else those of
+ * case `number`; -1: there is none. */
+static long reference_of(const struct plan *plan, long number)
 {
     const struct plan_study *study = plan->studies;
     long before = 0;
 
     while (number >= before + study->level_count)
         before += study++->level_count;
-    const int found = plan_level_with(study, &study->levels[number - before], labels);
+    const int found =
+        plan_level_with(study, &study->levels[number - before], &plan->reference);
     return found < 0 ? -1 : before + found;
 }
 
@@ -109,7 +111,7 @@ static enum status read_row(struct sweep_rows *rows, long number,
 {
     const struct plan *plan = rows->plan;
     const bool compared = plan->reference.count > 0;
-    const long other = compared ? sweep_rows_with(plan, number, &plan->reference) : -1;
+    const long other = compared ? reference_of(plan, number) : -1;
     struct run_result r = {0};
     struct message sentence = {""};
     enum sweep_state state;

@@ -181,9 +181,9 @@ def coded(values):
     except ValueError:
         return [float(words.index(v)) for v in values], words
 
-def classes(title, x, y, cases, marks=()):
-    """A map of cases [(x, y, label)], as words; cells where they lie on a grid. Marks are
-    [(x, y, words)]. None: there is nothing to draw."""
+def classes(title, x, y, cases):
+    """A map of cases [(x, y, label)], as words; cells where they lie on a grid. None: there is nothing
+    to draw."""
     cases = [c for c in cases if c[0] not in ("", "nan", "inf") and c[1] not in ("", "nan", "inf")]
     if not cases:
         return None
@@ -210,10 +210,6 @@ def classes(title, x, y, cases, marks=()):
                                            edgecolors="white", linewidths=0.8))
     else:
         axes.scatter(*at, c=[colours[c[2]] for c in cases], s=22, marker="s")
-    for mx, my, text in marks:
-        axes.plot(float(mx), float(my), "o", ms=4, mfc="white", mec="black")
-        axes.annotate(text, (float(mx), float(my)), xytext=(4, 3), textcoords="offset points",
-                      fontsize=SIZE - 2)
     for n, (label, uses) in enumerate(sorted(count.items(), key=lambda c: -c[1])):
         axes.text(1.04, 1 - 0.085 * n, "■ " + textwrap.shorten(f"{label}: {uses}", 28),
                   transform=axes.transAxes, color=colours[label], va="top", fontsize=SIZE - 1)

@@ -160,17 +160,18 @@ def line_charts(table, title):
                 for n, name in enumerate(part)]), words))
     return made
 
-def map_charts(table, title):
-    """Maps of a table with panel, label, x, y and mark."""
-    x, y = table.keys[2:4]
-    made = []
-    for panel in dict.fromkeys(r["panel"] for r in table.rows if not r["mark"]):
-        rows = [r for r in table.rows if r["panel"] in (panel, "*") or not r["panel"]]
-        words = panel or title
-        made.append((charts.classes(words, x, y, [(r[x], r[y], r["label"]) for r in rows
-                                                  if not r["mark"]],
-                                    [(r[x], r[y], r["mark"]) for r in rows if r["mark"]]), words))
-    return made
+def map_charts(table):
+    """Maps of a sweep's cases: the last axis along x, the one before it along y, a panel for each case of
+    the others. Axes are the first columns that tell all rows apart."""
+    keys = table.keys[1:]
+    cases = next((keys[:n] for n in range(2, 9) if len({tuple(r[k] for k in keys[:n]) for r in table.rows})
+                  == len(table.rows)), [])
+    *others, y, x = cases or ["", ""]
+    panels = {}
+    for r in table.rows if cases else ():
+        words = ", ".join(r[k] if k in ("case", "model", "study") else f"{k} = {r[k]}" for k in others)
+        panels.setdefault(words, []).append((r[x], r[y], r["labels"]))
+    return [(charts.classes(words, x, y, panel), words) for words, panel in panels.items()]
 
 def time_chart(table, title, key, bar=None):
     """Errors over time in per cent of the length, a line for each file or level."""
@@ -189,8 +190,8 @@ def charts_of(table, title):
     words = table.caption or title
     if table.keys[:2] == ["panel", "line"] and len(table.keys) >= 4:
         made = line_charts(table, title)
-    elif table.keys[:2] == ["panel", "label"] and len(table.keys) == 5:
-        made = map_charts(table, title)
+    elif table.keys[0] == "number" and table.has("labels", "outcome"):
+        made = map_charts(table)
     elif table.has(*RUN_KEYS):  # those stand together, before all parts
         made = []
     elif table.has("level", "stepping_s", "to_finest_over_length"):
@@ -347,7 +348,7 @@ def parts_of(top, room):
             groups = [(f.stem, [f], []) for f in tables] + ([("runs", [], runs)] if runs else [])
         else:
             printed = [f for f in tables if f.name == "printed.csv"]
-            own = [f for f in tables if f.stem.endswith("chart") or f.name == "map.csv"]
+            own = [f for f in tables if f.stem.endswith("chart")]
             groups = [(name, printed + own if printed else tables, runs)]
         for title, of, h5 in groups:
             part = Part(re.sub(r"\W", "_", title), title.replace("_", " "), trouble=list(trouble),

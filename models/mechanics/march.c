@@ -81,7 +81,7 @@ static enum status make_tangents(struct march *m)
     const enum status st =
         room_cut(&m->tangents, ROOM(m->past, large && m->learns ? MARCH_GAINS * count : 0),
                  ROOM(m->V, large && m->body.plain && m->beta > 0 ? pairs : 0),
-                 ROOM(m->newton, large ? (6 + 2 * MARCH_LEARNT) * count : 0),
+                 ROOM(m->newton, large ? (3 + NEWTON_ROOM) * count : 0),
                  ROOM(m->strain_old, (1 + viscous) * strains),
                  ROOM(m->K, large || !m->stiffness ? pairs : 0));
 

@@ -23,10 +23,11 @@
 #include "models/mechanics/contact_coupled.h"
 #include "models/mechanics/dead_load.h"
 #include "models/mechanics/large_body.h"
+#include "models/mechanics/newton.h"
 #include "models/mechanics/pressure.h"
 #include "models/model.h"
 
-enum { MARCH_GAINS = 5, MARCH_LEARNT = 8 };
+enum { MARCH_GAINS = 5 };
 
 struct march {
     /* The owner sets these before march_init; borrowed. */
@@ -104,7 +105,7 @@ struct march {
                         backward differences of orders 1, 2, ..., past_dt long  [m/s]    */
     double past_dt;  /*                                                          [s]     */
     int orders;      /* those that would have foretold the last gain best, in their sum */
-    double *newton;  /* [6][nodes][3]: x_old, hat, work of large_newton              */
+    double *newton; /* [3 + NEWTON_ROOM][nodes][3]: x_old, hat, work, newton.h            */
     double factored; /* mass factor of the tangent that is factored; -1: none        */
     double added;    /* mass added to the factored tangent; 0: none         [1/s^2]  */
     bool stressless; /* the present tangent leaves out the stress                    */

@@ -507,6 +507,7 @@ out:
 }
 
 const struct march_integrator integrator_leapfrog = {
+    .explicit = true,
     .make = make,
     .step = step,
     .rest = march_rest_equilibrium,

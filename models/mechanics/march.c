@@ -107,13 +107,12 @@ out:
     return st;
 }
 
-/* Makes, once, what Newton's method needs. */
+/* Makes, once, what forces, tangents and contact need. */
 static enum status make_newton(struct march *m)
 {
     enum status st;
-    int *order = NULL;
 
-    if (m->system.graph)
+    if (m->tangents)
         return STATUS_OK;
     TRY(make_tangents(m));
     TRY(make_contact(m));
@@ -122,6 +121,18 @@ static enum status make_newton(struct march *m)
                                (struct large_foresight){0}, m->K));
         m->stiffness = (const double(*)[9])m->K;
     }
+out:
+    return st;
+}
+
+/* Makes, once, what solves with tangents. */
+static enum status make_system(struct march *m)
+{
+    enum status st = STATUS_OK;
+    int *order = NULL;
+
+    if (m->system.graph)
+        return st;
     if (!m->order)
         TRY(order_wide(m->net[0], m->net[1], m->net[2], &order));
     TRY(system_init(&m->system, m->graph, m->supports,
@@ -179,6 +190,8 @@ enum status march_init(struct march *m, const struct discretization *d, struct m
     start_moving(m);
     if (!m->integrator->contact)
         TRY(make_newton(m));
+    if (!m->integrator->explicit || (m->tangents && solver_iterates(d->solver)))
+        TRY(make_system(m)); /* iterations are set up by the owner, after this */
     if (m->integrator->make)
         TRY(m->integrator->make(m, d, why));
 out:
@@ -378,6 +391,7 @@ enum status march_equilibrium(void *state, struct counters *counters, struct mes
     TRY(supports_allow_rest(m->supports, m->scene, m->kinematics == KINEMATICS_NONLINEAR,
                             why));
     TRY(make_newton(m));
+    TRY(make_system(m));
     m->time = supports_rest_time(m->supports, m->scene);
     m->started = false;
     TRY(m->integrator->rest(m, counters, why));

@@ -117,6 +117,7 @@ struct march {
 
 /* A scheme in time. */
 struct march_integrator {
+    bool explicit; /* steps need no system; equilibrium makes it                       */
     /* Makes what it needs besides, at the end of march_init; NULL: nothing. */
     enum status (*make)(struct march *m, const struct discretization *d,
                         struct message *why);
@@ -131,8 +132,8 @@ struct march_integrator {
     /* Returns the free unknowns' kinetic energy where the mass is not M [J]. */
     double (*kinetic)(const struct march *m);
     void (*describe)(const struct march *m, struct message *line); /* NULL: nothing       */
-    /* Set by steps that need neither system nor contact of the march, which are then made
-     * when equilibrium asks for them: the contact of the last step, and v brought up to x.
+    /* Set by steps that do not need the march's contact, tangents and their room either,
+     * which are then made when equilibrium asks for them: the contact of the last step, and v brought up to x.
      */
     void (*contact)(const struct march *m, struct model_contact *contact);
     void (*look)(const struct march *m);

@@ -417,6 +417,7 @@ out:
 }
 
 const struct march_integrator spring_leapfrog_integrator = {
+    .explicit = true,
     .make = make,
     .step = step,
     .rest = rest,

@@ -215,41 +215,20 @@ out:
     return st;
 }
 
-/* Relaxes where growing loads fail: a sheet that hangs from a hinge or from corners has no
- * stiffness at first. Backward Euler steps that forget their velocity go downhill instead,
- * in growing steps, until one without mass arrives (pseudo-transient continuation). */
-static enum status relax(struct march *m, struct counters *counters)
-{
-    enum { STEPS = 400 };
-    enum status st = STATUS_DIVERGED;
-    double first = 1 / (m->scene->step * m->scene->step), mass = first, moved;
-    bool final = false;
-
-    for (int n = 0; n < STEPS; n++) {
-        final = mass < 1e-8 * first;
-        st = step_down(m, final ? 0 : mass, &moved, counters);
-        if ((st == STATUS_OK && final) || (st != STATUS_OK && !status_is_death(st)))
-            break;
-        mass *= st == STATUS_OK ? 0.5 : final ? 1e3 : 8;
-    }
-    if (st == STATUS_OK && !final)
-        st = STATUS_DIVERGED; /* still on its way down */
-    m->factored = -1;
-    return st;
-}
-
-/* Snaps: where moving supports leave no shape near `last`, goes to one far off, downhill,
- * as a snapping sheet does. */
-static enum status snap(struct march *m, double part, struct counters *counters)
+/* Goes downhill to a shape at `part` that is far off, as a snapping sheet does, and solves
+ * from there: where moving supports leave none near the last one, and where growing loads
+ * fail, since a sheet that hangs from a hinge or from corners has no stiffness at first. */
+static enum status snap(struct march *m, enum stage stage, double part,
+                        struct counters *counters)
 {
     enum status st;
-    size_t bytes = 3 * (size_t)m->graph->nodes * sizeof(double);
+    const size_t bytes = 3 * (size_t)m->graph->nodes * sizeof(double);
 
     memcpy(m->x, m->newton, bytes);
-    place(m, MOVING, part);
+    place(m, stage, part);
     TRY(settle(m, counters, NULL));
     memcpy(m->newton, m->x, bytes);
-    TRY(increment_to(m, MOVING, part, 0, counters));
+    TRY(increment_to(m, stage, part, 0, counters));
 out:
     return st;
 }
@@ -298,7 +277,7 @@ static enum status follow(struct march *m, enum stage stage, struct counters *co
         }
         p.increment = shorter;
         if (stage == MOVING && status_is_death(st) && shorter < smallest &&
-            snap(m, next, counters) == STATUS_OK) {
+            snap(m, stage, next, counters) == STATUS_OK) {
             accept(m, &p, stage, next);
             p.last_increment = 0;
             p.increment = FIRST_INCREMENT;
@@ -330,8 +309,7 @@ enum status march_rest_equilibrium(struct march *m, struct counters *counters,
     st = follow(m, LOADING, counters);
     if (status_is_death(st)) {
         begin(m);
-        place(m, LOADING, 1);
-        st = relax(m, counters);
+        st = snap(m, LOADING, 1, counters);
     }
     if (st == STATUS_OK && m->supports->moving)
         st = follow(m, MOVING, counters);

@@ -558,6 +558,16 @@ static void set_face(const struct contact_sheet *sheet, int sample, int triangle
     memcpy(face->share, share, sizeof face->share);
 }
 
+/* Returns the share of a foot beyond the border: whole above the border, and none where the
+ * closest place is as far as contact starts, since farther ones are not looked for. A force
+ * that ended there at once let Newton's method go to and fro in a heap. */
+static double reached(const struct contact_sheet *sheet, double closest, double distance)
+{
+    const double most = sheet->start - distance;
+
+    return most > 0 ? clamp((sheet->start - closest) / most, 0, 1) : 0;
+}
+
 /* Finds the foot of a net. */
 static void refine_net(const struct contact_sheet *sheet, const struct contact_place *place,
                        struct contact_foot *foot, int *node, double *weight)
@@ -588,9 +598,12 @@ static void refine_net(const struct contact_sheet *sheet, const struct contact_p
         border = false;
     }
     const double share[3] = {face.share[0], face.share[1], face.share[2]};
+    const double closest = foot->distance;
     if (border)
-        foot->distance = reach_beyond(sheet, triangle, foot->distance, &face);
+        foot->distance = reach_beyond(sheet, triangle, closest, &face);
     fill(sheet, place, &face, triangle, share, foot, node, weight);
+    if (border)
+        foot->strength *= reached(sheet, closest, foot->distance);
 }
 
 static int surface_at(const struct contact_surface *s, const struct contact_ends *e,

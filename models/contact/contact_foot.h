@@ -58,6 +58,7 @@ struct contact_foot {
 struct contact_sheet {
     const struct contact_surface *surface; /*                              borrowed  */
     const struct contact_tree *tree; /* for distances along the sheet      borrowed  */
+    double start; /* the distance at which contact starts                            [m] */
     const double *x, *y;  /* [nodes][3], [samples][3]                     borrowed  */
     const double *normal; /* [samples][3] as contact_foot_normal computes them, of those
                              at which they are needed                                 */

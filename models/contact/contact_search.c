@@ -55,7 +55,7 @@ enum status contact_search_init(struct contact_search *s,
     enum status st = STATUS_OK;
     const size_t count = surface->count, width = contact_foot_width(surface);
 
-    *s = (struct contact_search){.sheet = {.surface = surface},
+    *s = (struct contact_search){.sheet = {.surface = surface, .start = start},
                                  .start = start,
                                  .margin = margin_share * start,
                                  .plain = samples_are_nodes(surface),

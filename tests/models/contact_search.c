@@ -370,6 +370,39 @@ static void test_sliding(void)
     close_search(&surface, &search);
 }
 
+/* A card moves off the border of another, above it, until no place of that is near: what
+ * presses on its samples changes evenly, by no more than at last, where the border is as
+ * far as contact starts and comes nearer by the slope of the way to it. */
+static void test_leaving(void)
+{
+    enum { ROWS = 5, M = 5, STEPS = 400 };
+    const int n[2] = {2 * ROWS, M};
+    const double side = 0.2, gap = 0.9 * start;
+    const double most = sqrt(start * start - gap * gap) / (start - gap) / STEPS;
+    double before = ROWS * M;
+    struct contact_surface surface;
+    struct contact_search search;
+
+    open_sheets(2, side, n, &surface, &search);
+    for (int k = 0; k <= STEPS; k++) {
+        double all = 0;
+        for (int p = 0; p < 2 * ROWS * M; p++) {
+            place[p][0] = side * (p % (ROWS * M) / M) / (ROWS - 1.);
+            place[p][1] =
+                side * (p % M) / (M - 1.) + (p < ROWS * M ? 0 : k * start / STEPS);
+            place[p][2] = p < ROWS * M ? 0 : gap;
+        }
+        REQUIRE(contact_search_find(&search, place[0]) == STATUS_OK);
+        for (const struct contact_foot *f = search.foot; f < search.foot + search.count;
+             f++)
+            all += f->sample < ROWS * M ? 0 : f->strength;
+        CHECK(all <= before + rounding && all >= before - ROWS * most);
+        before = all;
+    }
+    CHECK(before == ROWS * (M - 1));
+    close_search(&surface, &search);
+}
+
 /* Positions that are no numbers are said, and forgotten. */
 static void test_not_a_number(void)
 {
@@ -590,6 +623,7 @@ int main(void)
     test_every_pair();
     test_smooth();
     test_sliding();
+    test_leaving();
     test_not_a_number();
     test_approach();
     test_limit_of_layers();

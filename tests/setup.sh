@@ -122,6 +122,17 @@ output=$(PKG_CONFIG_PATH=$folder/broken cmake -G Ninja -S "$odd" -B "$odd built"
 code=$?
 expect 'an odd folder, half of MPI' 0 'one machine' 'Generating done'
 
+for character in '"' ';' '\' '#' '[' ']' '<' '>' '|' $'\n'; do
+    odd="$folder/${character}x"
+    mkdir "$odd"
+    cp -r "$folder/check" "$folder/reproduce" "$folder/tools" "$odd"
+    for program in check reproduce; do
+        run "$odd/$program"
+        expect "a folder with ${character@Q}" 1 "$program: the folder" "has ${character@Q} in its name" 'rename it'
+    done
+    [ ! -e "$odd/build" ] || { echo "built in a folder with ${character@Q}" && ((++failures)); }
+done
+
 run ./reproduce --fast
 expect 'unknown option' 2 'usage: ./reproduce'
 run ./reproduce --help

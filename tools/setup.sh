@@ -78,6 +78,16 @@ setup_logged() { # NAME COMMAND...
     setup_fail "$name failed; the end of build/$name.log is above"
 }
 
+# Refuses a folder whose name has a character that CMake takes for its own.
+setup_folder() {
+    local character
+    for character in '"' ';' '\' '#' '[' ']' '<' '>' '|' $'\n'; do
+        [[ $top != *"$character"* ]] ||
+            setup_fail "the folder ${top@Q} has ${character@Q} in its name, where CMake cannot build; \
+rename it, or move clothbench elsewhere"
+    done
+}
+
 # One at a time in this folder: the lock is held until the script ends.
 setup_lock() {
     if ! mkdir -p "$build" 2>/dev/null || [ ! -w "$build" ]; then
@@ -199,6 +209,7 @@ setup_build() { # TARGET
 }
 
 setup() { # BUILD-PRESET
+    setup_folder
     setup_lock
     setup_packages
     setup_build "$1"

@@ -207,9 +207,6 @@ static enum status refuse_mesh(const struct scene *scene, const struct discretiz
         return STATUS_OK;
     if (scene_sheets(scene) > 1 || scene->shape != SCENE_FLAT)
         return status_fail(why, STATUS_UNSUPPORTED, "%s: of one flat sheet only", what);
-    if (!grid && contact_wanted(scene))
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "unsupported: no contact on a mesh that is no grid");
     if (OWN(tri_own, d)->membrane != MEMBRANE_GREEN)
         return status_fail(why, STATUS_UNSUPPORTED, "%s: with membrane=green only", what);
     if (scene_needs(scene) & SCENE_NEED_SOFTENING)

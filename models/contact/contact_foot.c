@@ -301,7 +301,7 @@ void contact_foot_consider(const struct contact_sheet *sheet, int sample, int tr
 
 int contact_foot_width(const struct contact_surface *s)
 {
-    return s->width > 1 ? s->width : 3;
+    return s->smooth ? s->width : 3 * s->width;
 }
 
 /* Returns the triangle on the other side of the edge opposite to a corner, -1 at the
@@ -530,11 +530,7 @@ static void fill(const struct contact_sheet *sheet, const struct contact_place *
         strength(sheet, place, foot,
                  contact_tree_near(sheet->tree, surely_apart * sheet->tree->apart,
                                    foot->sample, corner, share));
-    foot->count = 3;
-    for (int k = 0; k < 3; k++) {
-        node[k] = s->node[corner[k]];
-        weight[k] = face->share[k] * s->shape[corner[k]];
-    }
+    foot->count = contact_surface_mix(s, 3, corner, face->share, node, weight);
     memcpy(foot->normal, face->way, sizeof face->way);
     if (foot->distance > 0)
         return;
@@ -725,9 +721,7 @@ void contact_foot_refine(const struct contact_sheet *sheet, int count,
 
     for (int k = 0; k < count; k++) {
         foot[k].sample = place[k]->sample, foot[k].side = place[k]->side;
-        if (sheet->surface->width == 1)
-            refine_net(sheet, place[k], &foot[k], node + k * width, weight + k * width);
-        else
-            refine_smooth(sheet, place[k], &foot[k], node + k * width, weight + k * width);
+        (sheet->surface->smooth ? refine_smooth : refine_net)(
+            sheet, place[k], &foot[k], node + k * width, weight + k * width);
     }
 }

@@ -160,15 +160,11 @@ static int locate(const struct contact_sheet *sheet, struct place *p, int *node,
                   double *weight)
 {
     const struct contact_surface *s = sheet->surface;
-    int count = 2;
+    const double share[] = {1 - p->at, p->at};
 
     find_uv(s, p);
-    if (s->width > 1)
-        count = s->row(s->self, p->uv[0], p->uv[1], node, weight);
-    for (int k = 0; k < 2 && s->width == 1; k++) {
-        node[k] = s->node[p->end[k]];
-        weight[k] = (k ? p->at : 1 - p->at) * s->shape[p->end[k]];
-    }
+    const int count = s->smooth ? s->row(s->self, p->uv[0], p->uv[1], node, weight)
+                                : contact_surface_mix(s, 2, p->end, share, node, weight);
     memset(p->y, 0, sizeof p->y);
     for (int k = 0; k < count; k++)
         for (int i = 0; i < 3; i++)
@@ -264,7 +260,7 @@ static enum status meet(struct contact_rim *r, struct place *point, double lengt
                         int count, contact_rim_visit *visit, void *context)
 {
     const struct contact_sheet *sheet = &r->search->sheet;
-    const bool curved = sheet->surface->width > 1;
+    const bool curved = sheet->surface->smooth;
     const double start = r->search->start;
     struct contact_rim_foot f = {.node = r->node, .weight = r->weight};
     struct place foot;
@@ -410,7 +406,7 @@ out:
  * sharp: they would press open whatever is folded flat. A curved rim has an arc there. */
 static bool joined(const struct contact_surface *s, const int own[2], const int end[2])
 {
-    return s->width == 1 && (own[0] == end[1] || own[1] == end[0]);
+    return !s->smooth && (own[0] == end[1] || own[1] == end[0]);
 }
 
 /* Lists the chords that pairs of an edge have near it indeed; returns how many. */
@@ -446,7 +442,7 @@ enum status contact_rim_find(struct contact_rim *r, contact_rim_visit *visit, vo
         for (end = first; end < r->count && r->pair[end][0] == r->pair[first][0];)
             end++;
         const int count = sift(r, first, end);
-        if (count && (r->search->sheet.surface->width > 1 ||
+        if (count && (r->search->sheet.surface->smooth ||
                       !only_faces(r, r->pair[first][0], count)))
             TRY(meet_edge(r, r->pair[first][0], count, visit, context));
     }

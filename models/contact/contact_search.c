@@ -593,7 +593,7 @@ static double beside_bends(const struct contact_surface *s)
     for (int d = 0; d < 2; d++)
         for (int k = 0; k + 1 < s->points[d]; k++)
             most[d] = fmax(most[d], s->flat[d][k + 1] - s->flat[d][k]);
-    return s->width > 1 ? CELLS * hypot(most[0], most[1]) : 0;
+    return s->smooth ? CELLS * hypot(most[0], most[1]) : 0;
 }
 
 /* Returns their distance after a share of the change, and whether they are so near along

@@ -70,6 +70,7 @@ enum status contact_surface_init(struct contact_surface *s, const struct scene *
                                   .rows = points[0] / scene_sheets(scene),
                                   .count = (int)count,
                                   .width = width,
+                                  .smooth = width > 1,
                                   .nodes = nodes};
     TRY(room_cut(&s->room, ROOM(s->line[0], points[0]), ROOM(s->line[1], points[1]),
                  ROOM(s->flat[0], points[0]), ROOM(s->flat[1], points[1]),
@@ -128,6 +129,24 @@ int contact_surface_line(int breaks, const double *at, int per, double *line)
             line[count++] = at[k] + (at[k + 1] - at[k]) * n / per;
     line[count++] = at[breaks - 1];
     return count;
+}
+
+int contact_surface_mix(const struct contact_surface *s, int count, const int *sample,
+                        const double *share, int *node, double *weight)
+{
+    int used = 0;
+
+    for (int k = 0; k < count; k++) {
+        const size_t first = (size_t)sample[k] * s->width;
+        for (int n = 0, at; n < s->used[sample[k]]; n++) {
+            for (at = 0; s->width > 1 && at < used && node[at] != s->node[first + n];)
+                at++;
+            if (s->width == 1 || at == used)
+                node[at = used++] = s->node[first + n], weight[at] = 0;
+            weight[at] += share[k] * s->shape[first + n];
+        }
+    }
+    return used;
 }
 
 void contact_surface_at(const struct contact_surface *s, int sample, const double *x,

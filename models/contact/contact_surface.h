@@ -26,6 +26,7 @@ struct contact_surface {
     int rows;        /* samples along u of one sheet                                     */
     int count;       /* points[0] points[1]; sample = i points[1] + j                    */
     int width;       /* most nodes of a row                                              */
+    bool smooth;     /* feet lie on the surface of `row`, not on the samples' triangles  */
     int nodes;       /* of the model                                                     */
     void *room;      /* of the arrays                                         owned   */
     double *line[2]; /* [points] parameters, ascending from 0 to 1; along u the ends of
@@ -52,7 +53,8 @@ static inline bool contact_surface_cut(const struct contact_surface *s, int i)
     return s->rows < s->points[0] && (i + 1) % s->rows == 0;
 }
 
-/* Makes the samples at line[0] x line[1] (copied); `row` NULL: they are the nodes. */
+/* Makes the samples at line[0] x line[1] (copied); `row` NULL: they are the nodes. A
+ * surface of wider rows is smooth, unless its owner then says that it is not. */
 enum status contact_surface_init(struct contact_surface *s, const struct scene *scene,
                                  const void *self, contact_row *row, int width, int nodes,
                                  const double *const line[2], const int points[2]);
@@ -92,6 +94,11 @@ double contact_surface_middle(const struct contact_ends *e, int d, double at);
 /* Does as the surface's row, beyond its ends, too. */
 int contact_surface_row(const struct contact_surface *s, const struct contact_ends *e,
                         double u, double v, int *node, double *shape);
+
+/* Lists the nodes of a weighted sum of samples that differ, each once, with their weights;
+ * returns how many, at most count times the width. */
+int contact_surface_mix(const struct contact_surface *s, int count, const int *sample,
+                        const double *share, int *node, double *weight);
 
 /* Computes where a sample is, for nodes x[nodes][3]. */
 void contact_surface_at(const struct contact_surface *s, int sample, const double *x,

@@ -180,8 +180,8 @@ enum status contact_thin_init(struct contact_thin *t, const struct scene *scene,
                      ROOM(t->passed, t->count), ROOM(t->least, t->count),
                      ROOM(t->least_old, t->count), ROOM(t->box, t->count),
                      ROOM(t->y, values), ROOM(t->y_old, values),
-                     ROOM(t->weight, surface->width + 3),
-                     ROOM(t->node, surface->width + 3)));
+                     ROOM(t->weight, contact_foot_width(surface) + 3),
+                     ROOM(t->node, contact_foot_width(surface) + 3)));
 out:
     if (st)
         contact_thin_clear(t);
@@ -330,16 +330,12 @@ static int find_place(struct contact_thin *t, int triangle, const struct corners
     int sample[3];
 
     contact_foot_nearest(q, (const double *const[]){c->y[0], c->y[1], c->y[2]}, share);
-    if (s->width > 1) {
+    if (s->smooth) {
         contact_foot_place(s, triangle, share, &u, &v);
         return s->row(s->self, u, v, t->node, t->weight);
     }
     contact_foot_corners(s, triangle, sample);
-    for (int k = 0; k < 3; k++) {
-        t->node[k] = s->node[sample[k]];
-        t->weight[k] = share[k] * s->shape[sample[k]];
-    }
-    return 3;
+    return contact_surface_mix(s, 3, sample, share, t->node, t->weight);
 }
 
 /* Computes at = the sum of weights times x[nodes][3]. */

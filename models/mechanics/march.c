@@ -99,9 +99,9 @@ static enum status make_contact(struct march *m)
         return STATUS_OK;
     if (!(m->contact = calloc(1, sizeof *m->contact)))
         return STATUS_MEMORY;
-    if (!m->mass)
-        return STATUS_OK; /* the owner knows its surface */
-    TRY(contact_surface_init_net(&surface, m->scene, m->net));
+    if (!m->surface)
+        return STATUS_OK; /* the owner makes it from its own */
+    TRY(m->surface(m->sheet, m->scene, &surface));
     TRY(contact_init(m->contact, m->scene, &surface));
 out:
     return st;

@@ -50,6 +50,10 @@ struct march {
     double *load; /* [nodes][3] gravity, wind and loads; NULL: made here, of measure [N] */
     int net[3]; /* nodes along u, v, w, numbered w fastest, then v                       */
     const int *order; /* [nodes] of a factorisation; NULL: by `net`                      */
+    enum status (*surface)(const void *sheet, const struct scene *scene,
+                           struct contact_surface *surface); /* makes what contact sees, of
+                           the sheet here; NULL: the owner makes the contact             */
+    const void *sheet; /*                                                  borrowed  */
     struct supports *supports;
     const unsigned char *parity; /* [nodes][3] system.h, linear bodies only; or NULL     */
     const char *unknowns;        /* their basis, in struct model_size                    */

@@ -1,6 +1,7 @@
 #include "models/mesh/mesh.h"
 
 #include <assert.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -112,10 +113,29 @@ enum status mesh_loads(const struct mesh *mesh, const struct scene *scene, doubl
                       : mesh_add_loads(mesh, scene, *dead);
 }
 
+static int row_of(const void *self, double u, double v, int *node, double *shape)
+{
+    const struct mesh *mesh = self;
+
+    memcpy(node, mesh->flat.triangle[mesh_find(mesh, (const double[]){u, v}, shape)],
+           sizeof *mesh->flat.triangle);
+    return 3;
+}
+
 enum status mesh_contact(const struct mesh *mesh, const struct scene *scene,
                          struct contact_surface *surface)
 {
-    return contact_surface_init_net(surface, scene, mesh->points);
+    enum status st;
+    int points[2];
+
+    if (mesh->rows)
+        return contact_surface_init_net(surface, scene, mesh->points);
+    for (int i = 0; i < 2; i++)
+        points[i] = 1 + (int)fmax(1, round(mesh->size[i] / mesh->scale));
+    TRY(contact_surface_init_even(surface, scene, mesh, row_of, 3, mesh->vertices, points));
+    surface->smooth = false;
+out:
+    return st;
 }
 
 enum status mesh_order(const struct mesh *mesh, int **order)

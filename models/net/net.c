@@ -99,6 +99,12 @@ void net_arrive(const struct net *net, int iterations, int most, double dt,
                  nodes, net->scene, dt);
 }
 
+static enum status surface_of(const void *mesh, const struct scene *scene,
+                              struct contact_surface *surface)
+{
+    return mesh_contact(mesh, scene, surface);
+}
+
 enum status net_march(struct net *net, struct march *m, const struct discretization *d,
                       struct message *why)
 {
@@ -112,6 +118,7 @@ enum status net_march(struct net *net, struct march *m, const struct discretizat
     m->x = net->x;
     m->load = net->load;
     memcpy(m->net, points, sizeof m->net);
+    m->surface = surface_of, m->sheet = mesh;
     m->supports = &net->supports;
     m->unknowns = mesh->nodes > mesh->vertices ? "mid-surface points and turns of edges"
                                                : "mid-surface points";

@@ -30,6 +30,9 @@ static const struct row {
     {"triangles", "discretization.points=[6,5]", {0}},
     {"triangles",
      "discretization.points=[6,5]",
+     {"discretization.mesh=irregular", "discretization.bending=hinge"}},
+    {"triangles",
+     "discretization.points=[6,5]",
      {"discretization.membrane=corotational", "discretization.bending=hinge"}},
     {"mass_spring_momentum", "discretization.points=[6,5]", {0}},
 };

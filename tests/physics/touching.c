@@ -27,6 +27,8 @@ static const struct row {
     {"fold", "mass_spring", "discretization.points=[10,10];time.end=0.7", false},
     {"fold", "position_based", "discretization.points=[12,7];time.end=0.02", false},
     {"fold", "vbd", "discretization.points=[12,7];time.end=0.02", false},
+    {"fold", "triangles",
+     "discretization.points=[12,7];discretization.mesh=irregular;time.end=0.02", false},
     {"fold", "triangles_explicit", "discretization.points=[31,16]", true},
     {"twist", "shell", "discretization.points=[12,4];time.end=0.05", false},
     {"twist", "iga_selective_3", "discretization.points=[12,4,2];time.end=0.05", false},

@@ -47,8 +47,8 @@ static enum status build(struct tri_motion *m, const struct scene *scene,
 
     TRY(net_init(&m->net, scene, d, why));
     if (m->meshed) {
-        TRY(tri_shell_init(&m->shell, scene, &m->net.mesh, d->bending,
-                           OWN(tri_own, d)->arc == TRI_ARC_ON));
+        TRY(tri_shell_init(&m->shell, scene, &m->net.mesh, OWN(tri_own, d)->membrane,
+                           d->bending, OWN(tri_own, d)->arc == TRI_ARC_ON));
         TRY(mesh_order(&m->net.mesh, &m->order));
         if (d->integrator == INTEGRATOR_LEAPFROG)
             tri_shell_turn_mass(&m->shell, scene->density * scene->thickness, m->net.mass);
@@ -185,7 +185,8 @@ static const struct schema_key options[] = {
     {"mesh"}, {"seed"}, {"refine"},
     {"membrane", "membrane strain of triangles",
      OPTION_WORDS([MEMBRANE_GREEN] = "green", [MEMBRANE_COROTATIONAL] = "corotational",
-                  [MEMBRANE_BARAFF_WITKIN] = "baraff_witkin"),
+                  [MEMBRANE_BARAFF_WITKIN] = "baraff_witkin",
+                  [MEMBRANE_SPRINGS] = "springs"),
      OPTION_OWN(tri_own, membrane)},
     {"arc", "edges longer than their chords by the curvature along them",
      OPTION_WORDS([TRI_ARC_OFF] = "off", [TRI_ARC_ON] = "on"), OPTION_OWN(tri_own, arc),
@@ -198,17 +199,27 @@ static enum status refuse_mesh(const struct scene *scene, const struct discretiz
                                struct message *why)
 {
     const bool grid = mesh_is_grid(d);
+    const bool springs = OWN(tri_own, d)->membrane == MEMBRANE_SPRINGS;
     const char *what = grid ? "bending=midedge" : "a mesh";
 
     if (grid && (d->seed || d->refine))
         return status_fail(why, STATUS_INPUT, "%s: of a mesh that is no grid",
                            d->seed ? "seed" : "refine");
     if (grid && d->bending != BENDING_MIDEDGE)
-        return STATUS_OK;
+        return springs
+                   ? status_fail(why, STATUS_UNSUPPORTED,
+                                 "membrane=springs: of a mesh, or with bending=midedge; "
+                                 "springs of a grid are the model mass_spring")
+                   : STATUS_OK;
+    if (springs && (scene->is_fabric || OWN(tri_own, d)->arc == TRI_ARC_ON))
+        return status_fail(why, STATUS_UNSUPPORTED, "membrane=springs: %s",
+                           scene->is_fabric ? "of an isotropic sheet only"
+                                            : "with arc=off only");
     if (scene_sheets(scene) > 1 || scene->shape != SCENE_FLAT)
         return status_fail(why, STATUS_UNSUPPORTED, "%s: of one flat sheet only", what);
-    if (OWN(tri_own, d)->membrane != MEMBRANE_GREEN)
-        return status_fail(why, STATUS_UNSUPPORTED, "%s: with membrane=green only", what);
+    if (!springs && OWN(tri_own, d)->membrane != MEMBRANE_GREEN)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "%s: with membrane=green or springs only", what);
     if (scene_needs(scene) & SCENE_NEED_SOFTENING)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "softening: of a grid with bending=quadratic only");
@@ -264,6 +275,31 @@ static void probe(const void *state, int n, const double *uvw, double *xyz)
     net_probe(&m->net, n, uvw, xyz);
 }
 
+/* Describes a mesh, and what its hinges and springs do not have of the scene's law. */
+static void describe_mesh(const struct tri_motion *m, struct message *line)
+{
+    const struct mesh *mesh = &m->net.mesh;
+    const struct law law = scene_law(m->net.scene);
+    const double *of_law = law.matrix[LAW_MEMBRANE];
+    double even[LAW_ENTRIES];
+
+    message_add(line, "%d points, %d triangles, %d edges", mesh->vertices,
+                mesh->flat.triangles, mesh->edges);
+    if (m->shell.bending == BENDING_HINGE)
+        message_add(line, "; hinges bend as the mesh is drawn, and do not converge");
+    if (OWN(tri_own, &m->asked)->membrane != MEMBRANE_SPRINGS)
+        return;
+    tri_shell_even(&m->shell, even);
+    message_add(
+        line,
+        "; springs that stretch evenly have %.2g of the sheet's stiffness against "
+        "tension along u with free sides, %.2g against shear, and %.2g where u and v "
+        "are stretched alike",
+        law_narrow(even) / law_narrow(of_law), even[LAW_33] / of_law[LAW_33],
+        (even[LAW_11] + 2 * even[LAW_12] + even[LAW_22]) /
+            (of_law[LAW_11] + 2 * of_law[LAW_12] + of_law[LAW_22]));
+}
+
 /* Describes deviations from the scene's law, and the explicit steps' limit. */
 static void describe(const void *state, struct message *line)
 {
@@ -273,14 +309,9 @@ static void describe(const void *state, struct message *line)
 
     march_describe(state, &limit);
     if (m->meshed) {
-        const struct mesh *mesh = &m->net.mesh;
-        snprintf(line->text, sizeof line->text,
-                 "%d points, %d triangles, %d edges%s%s%.160s", mesh->vertices,
-                 mesh->flat.triangles, mesh->edges,
-                 m->shell.bending == BENDING_HINGE
-                     ? "; hinges bend as the mesh is drawn, and do not converge"
-                     : "",
-                 *limit.text ? "; " : "", limit.text);
+        describe_mesh(m, line);
+        if (*limit.text)
+            message_add(line, "; %s", limit.text);
         return;
     }
     snprintf(line->text, sizeof line->text, "%s%s%s%s%.160s",

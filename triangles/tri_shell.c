@@ -92,20 +92,29 @@ static void square_form(const double C[LAW_ENTRIES], const double B[3][3], doubl
     }
 }
 
+/* Fills a direction's row: the strain along it is row . (e_11, e_22, 2 e_12). */
+static void row_along(const double d[2], double row[3])
+{
+    row[0] = d[0] * d[0], row[1] = d[1] * d[1], row[2] = d[0] * d[1];
+}
+
 static void set_triangle(struct tri_shell_triangle *t, const struct plane *p,
-                         const struct law *law)
+                         const struct law *law, enum membrane membrane)
 {
     double along[3][3], strain[3][3], bend[3][3];
 
     for (int i = 0; i < 3; i++) {
-        const double *d = p->along[i], *n = p->out[i], s = p->length[i] / p->area;
-        along[i][0] = d[0] * d[0], along[i][1] = d[1] * d[1], along[i][2] = d[0] * d[1];
+        const double *n = p->out[i], s = p->length[i] / p->area;
+        row_along(p->along[i], along[i]);
         bend[0][i] = s * n[0] * n[0], bend[1][i] = s * n[1] * n[1];
         bend[2][i] = s * 2 * n[0] * n[1];
         t->square[i] = p->length[i] * p->length[i];
     }
     invert((const double(*)[3])along, strain);
     square_form(law->matrix[LAW_MEMBRANE], (const double(*)[3])strain, p->area, t->P);
+    for (int n = 0; membrane == MEMBRANE_SPRINGS && n < 9; n++)
+        t->P[n / 3][n % 3] =
+            n % 4 ? 0 : sqrt(3) / 4 * law->young * law->thickness * t->square[n / 3];
     square_form(law->matrix[LAW_BENDING], (const double(*)[3])bend, p->area, t->Q);
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) /* the hat of j falls along the normal out of side j */
@@ -695,6 +704,24 @@ static void add_tangent(const void *self, int thread, int element,
     }
 }
 
+void tri_shell_even(const struct tri_shell *s, double even[LAW_ENTRIES])
+{
+    static const int at[LAW_ENTRIES][2] = {{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}};
+    const double per_area = 1 / (s->mesh->size[0] * s->mesh->size[1]);
+
+    memset(even, 0, LAW_ENTRIES * sizeof *even);
+    for (int t = 0; t < s->mesh->flat.triangles; t++) {
+        const struct plane p = plane_of(s->mesh, t);
+        double row[3][3];
+        for (int i = 0; i < 3; i++)
+            row_along(p.along[i], row[i]);
+        for (int k = 0; k < LAW_ENTRIES; k++)
+            for (int n = 0; n < 9; n++)
+                even[k] += per_area * row[n / 3][at[k][0]] *
+                           s->triangle[t].P[n / 3][n % 3] * row[n % 3][at[k][1]];
+    }
+}
+
 double tri_shell_energy(const struct tri_shell *s, const double *x)
 {
     const double *e = strain_of(s, 0, 0, x, NULL);
@@ -749,7 +776,8 @@ void tri_shell_clear(struct tri_shell *s)
 }
 
 enum status tri_shell_init(struct tri_shell *s, const struct scene *scene,
-                           const struct mesh *mesh, enum bending bending, bool arc)
+                           const struct mesh *mesh, enum membrane membrane,
+                           enum bending bending, bool arc)
 {
     static const int whole[] = {0, 1};
     const struct law law = scene_law(scene);
@@ -768,7 +796,7 @@ enum status tri_shell_init(struct tri_shell *s, const struct scene *scene,
     TRY(set_sides(s));
     for (int t = 0; t < triangles; t++) {
         const struct plane p = plane_of(mesh, t);
-        set_triangle(&s->triangle[t], &p, &law);
+        set_triangle(&s->triangle[t], &p, &law, membrane);
     }
     if (bending == BENDING_HINGE)
         set_hinges(s, scene_bending_stiffness(scene));

@@ -2,7 +2,9 @@
  * bending by angles at edges, or by constant curvatures.
  *
  * Membrane: Green's strain, with St. Venant and Kirchhoff's energy. It is that of the three
- * edges, e_i = (|x_i|^2 - l_i^2) / 2 l_i^2, energy 1/2 e P e with a constant P.
+ * edges, e_i = (|x_i|^2 - l_i^2) / 2 l_i^2, energy 1/2 e P e with a constant P. As springs,
+ * edges know nothing of each other: P is diagonal, sqrt(3)/4 E h l_i^2 of each triangle
+ * (Lloyd, Szekely and Harders 2007, which is exact for equilateral triangles and nu = 1/3).
  *
  * Bending, theta the angle between the normals of an edge's two triangles:
  *   hinge    k theta^2 / 2 with k = D l^2 / (A1 + A2) (Seung and Nelson 1988, for
@@ -39,6 +41,7 @@
 #include "models/linalg/blocks.h"
 #include "models/mechanics/large_body.h"
 #include "models/mesh/mesh.h"
+#include "models/net/spring_sweep.h"
 
 struct tri_shell {
     const struct mesh *mesh; /*                                              borrowed  */
@@ -59,12 +62,16 @@ struct tri_shell {
     double *angle_now;      /* work: angles and turns of the geometry; NULL without arcs */
 };
 
-/* Makes the sheet of a flat scene with one sheet; arc: with midedge only. mesh has
- * triangles, and turns with midedge, slopes with quadratic; it and *s must stay where they
- * are. */
+/* Makes the sheet of a flat scene with one sheet; membrane: green or springs; arc: with
+ * midedge and green only. mesh has triangles, and turns with midedge, slopes with
+ * quadratic; it and *s must stay where they are. */
 enum status tri_shell_init(struct tri_shell *s, const struct scene *scene,
-                           const struct mesh *mesh, enum bending bending, bool arc);
+                           const struct mesh *mesh, enum membrane membrane,
+                           enum bending bending, bool arc);
 void tri_shell_clear(struct tri_shell *s);
+
+/* Computes the matrix (law.h) that the membrane has where strains are even [N/m]. */
+void tri_shell_even(const struct tri_shell *s, double even[LAW_ENTRIES]);
 
 /* Returns elastic energy at x[nodes][3] [J]: NaN where a triangle has no area. */
 double tri_shell_energy(const struct tri_shell *s, const double *x);

@@ -32,7 +32,12 @@ enum spring_sweep_place {
 };
 
 /* The strain measure of triangles (triangles/tri_body.h). */
-enum membrane { MEMBRANE_GREEN, MEMBRANE_COROTATIONAL, MEMBRANE_BARAFF_WITKIN };
+enum membrane {
+    MEMBRANE_GREEN,
+    MEMBRANE_COROTATIONAL,
+    MEMBRANE_BARAFF_WITKIN,
+    MEMBRANE_SPRINGS /* of tri_shell.h only */
+};
 
 /* A membrane of triangles in place of springs: each cell cut along one diagonal, in turns
  * (triangles/tri_body.h). */

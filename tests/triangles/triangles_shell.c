@@ -33,7 +33,7 @@ static const char *const kinds[] = {"grid", "diagonal", "irregular", "irregular"
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
 static void make(struct mesh *mesh, struct tri_shell *s, const struct scene *scene,
-                 int kind, enum bending bending, bool arc)
+                 int kind, enum membrane membrane, enum bending bending, bool arc)
 {
     char name[16];
     struct message why = {""};
@@ -45,11 +45,12 @@ static void make(struct mesh *mesh, struct tri_shell *s, const struct scene *sce
                                      : bending == BENDING_QUADRATIC ? MESH_SLOPES
                                                                     : MESH_NO_NODES;
     REQUIRE(mesh_make(mesh, scene, &d, at_edges, &why) == STATUS_OK);
-    REQUIRE(tri_shell_init(s, scene, mesh, bending, arc) == STATUS_OK);
+    REQUIRE(tri_shell_init(s, scene, mesh, membrane, bending, arc) == STATUS_OK);
 }
 
 /* Derivatives at a shape far from rest, and turned. */
-static void test_derivatives(int kind, enum bending bending, bool arc, bool held)
+static void test_derivatives(int kind, enum membrane membrane, enum bending bending,
+                             bool arc, bool held)
 {
     const double DIFFERENCE = 2e-8, ENERGY = 1e-22, FORCE = 1e-10;
     struct scene scene;
@@ -57,7 +58,7 @@ static void test_derivatives(int kind, enum bending bending, bool arc, bool held
     struct tri_shell s;
 
     fill_scene(&scene, held);
-    make(&mesh, &s, &scene, kind, bending, arc);
+    make(&mesh, &s, &scene, kind, membrane, bending, arc);
     const size_t count = 3 * (size_t)mesh.nodes;
     double *x = malloc(2 * count * sizeof *x), *d = x + count;
     REQUIRE(x);
@@ -141,7 +142,7 @@ static void test_homogeneous(int kind)
     struct tri_shell s;
 
     fill_scene(&scene, false);
-    make(&mesh, &s, &scene, kind, BENDING_MIDEDGE, false);
+    make(&mesh, &s, &scene, kind, MEMBRANE_GREEN, BENDING_MIDEDGE, false);
     const struct law law = scene_law(&scene);
     const double area = scene.length * scene.width;
     const size_t count = 3 * (size_t)mesh.nodes;
@@ -202,7 +203,7 @@ static void test_loads(int kind)
 
         fill_scene(&scene, false);
         REQUIRE(scene_add_load(&scene, l) == STATUS_OK);
-        make(&mesh, &s, &scene, kind, BENDING_HINGE, false);
+        make(&mesh, &s, &scene, kind, MEMBRANE_GREEN, BENDING_HINGE, false);
         REQUIRE(mesh_loads(&mesh, &scene, &f) == STATUS_OK && f);
         for (int a = 0; a < mesh.vertices; a++) {
             const double size = f[3 * a] + f[3 * a + 1] + f[3 * a + 2];
@@ -229,7 +230,7 @@ static void test_mesh(int kind)
     double area = 0, w[3];
 
     fill_scene(&scene, true);
-    make(&mesh, &s, &scene, kind, BENDING_HINGE, false);
+    make(&mesh, &s, &scene, kind, MEMBRANE_GREEN, BENDING_HINGE, false);
     for (int a = 0; a < mesh.nodes; a++)
         area += mesh.area[a];
     CHECK_RELATIVE(area, scene.length * scene.width, ROUNDING);
@@ -248,19 +249,58 @@ static void test_mesh(int kind)
     scene_clear(&scene);
 }
 
+/* Under even strains the triangles of every mesh are the sheet. Springs are what edges sum
+ * up to: cells of a by b, cut by diagonals of length l, have four edges' sqrt(3)/4 E h
+ * along u and v, and twice that of the diagonal, times its square, over their area. */
+static void test_even(int kind)
+{
+    struct scene scene;
+    struct mesh mesh;
+    struct tri_shell s;
+    double even[LAW_ENTRIES];
+
+    fill_scene(&scene, false);
+    const struct law law = scene_law(&scene);
+    make(&mesh, &s, &scene, kind, MEMBRANE_GREEN, BENDING_HINGE, false);
+    tri_shell_even(&s, even);
+    for (int k = 0; k < LAW_ENTRIES; k++)
+        CHECK_NEAR(even[k] / law.matrix[LAW_MEMBRANE][LAW_11],
+                   law.matrix[LAW_MEMBRANE][k] / law.matrix[LAW_MEMBRANE][LAW_11],
+                   ROUNDING);
+    tri_shell_clear(&s);
+    mesh_clear(&mesh);
+    make(&mesh, &s, &scene, kind, MEMBRANE_SPRINGS, BENDING_HINGE, false);
+    tri_shell_even(&s, even);
+    const double a = scene.length / 5, b = scene.width / 4, l = hypot(a, b);
+    const double each = 2 * sqrt(3) / 4 * scene.young * scene.thickness / (a * b);
+    const double cut[3] = {a * a / (l * l), b * b / (l * l), a * b / (l * l)};
+    if (!strcmp(kinds[kind], "diagonal")) {
+        CHECK_RELATIVE(even[LAW_11], each * (a * a + l * l * cut[0] * cut[0]), ROUNDING);
+        CHECK_RELATIVE(even[LAW_22], each * (b * b + l * l * cut[1] * cut[1]), ROUNDING);
+        CHECK_RELATIVE(even[LAW_12], each * l * l * cut[0] * cut[1], ROUNDING);
+        CHECK_RELATIVE(fabs(even[LAW_13]), each * l * l * cut[0] * cut[2], ROUNDING);
+    }
+    CHECK_RELATIVE(even[LAW_12], even[LAW_33], ROUNDING); /* Cauchy's relation */
+    tri_shell_clear(&s);
+    mesh_clear(&mesh);
+    scene_clear(&scene);
+}
+
 int main(void)
 {
     for (int kind = 0; kind < KINDS; kind++) {
         for (int held = 0; held < 2; held++) {
-            test_derivatives(kind, BENDING_MIDEDGE, false, held);
-            test_derivatives(kind, BENDING_MIDEDGE, true, held);
+            test_derivatives(kind, MEMBRANE_GREEN, BENDING_MIDEDGE, false, held);
+            test_derivatives(kind, MEMBRANE_GREEN, BENDING_MIDEDGE, true, held);
             if (kind) {
-                test_derivatives(kind, BENDING_HINGE, false, held);
-                test_derivatives(kind, BENDING_QUADRATIC, false, held);
+                test_derivatives(kind, MEMBRANE_GREEN, BENDING_HINGE, false, held);
+                test_derivatives(kind, MEMBRANE_GREEN, BENDING_QUADRATIC, false, held);
+                test_derivatives(kind, MEMBRANE_SPRINGS, BENDING_HINGE, false, held);
             }
         }
         test_homogeneous(kind);
         if (kind) {
+            test_even(kind);
             test_loads(kind);
             test_mesh(kind);
         }

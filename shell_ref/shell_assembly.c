@@ -106,14 +106,11 @@ static double *strain_of(const void *self, int thread, int element, const double
 
     shell_element_load(e, s->space, element, SHELL_PARTS);
     gather(s->space, element, x, e->X[0]);
-    if (!shell_element_strain(e, rest_of(s, element).part))
-        return NULL;
     if (foresight) {
         gather(s->space, element, foresight->change, e->X[2]);
         gather(s->space, element, foresight->beside, e->X[1]); /* no geometry is set yet */
-        shell_element_foresee(e);
     }
-    return e->strain;
+    return shell_element_strain(e, rest_of(s, element).part, foresight) ? e->strain : NULL;
 }
 
 static void set_geometry(const void *self, int thread, int element, const double *x_old,
@@ -236,7 +233,7 @@ enum status shell_assembly_energy(const struct shell_assembly *s, const double *
     for (int n = 0; n < s->space->elements; n++) {
         shell_element_load(e, s->space, n, SHELL_PARTS);
         gather(s->space, n, x, e->X[0]);
-        if (!shell_element_strain(e, rest_of(s, n).part))
+        if (!shell_element_strain(e, rest_of(s, n).part, false))
             return STATUS_NAN;
         *energy += shell_element_energy(e, material_of(s, n), rest_of(s, n).part);
     }

@@ -173,6 +173,19 @@ static inline void shell_frame_frame(const struct shell_element *e,
             f->gamma[d][k] = shell_frame_dot(f->s.second[k], f->dual[d]);
 }
 
+static int rows_of(const struct shell_points *p)
+{
+    return p->rows[0] + p->rows[1];
+}
+
+/* Returns the first point of a row. */
+static int row_of(const struct shell_points *p, int row)
+{
+    const int second = row > p->rows[0] ? row - p->rows[0] : 0;
+
+    return p->plain + (row - second) * p->each[0] + second * p->each[1];
+}
+
 /* --- the tangent --- */
 
 /* Computes e->K on the geometry e->X[1], by the path's shares: s1 times the material part
@@ -190,6 +203,10 @@ void shell_element_tangent(struct shell_element *e, const struct shell_material 
 
 /* Numbers of each point of the membrane for a function b; for a, with factors and areas. */
 enum { FLAT_RIGHT = 2 /* N_u, N_v */, FLAT_LEFT = 18 /* [2][3][3] P_d = N_c Q_cd */ };
+
+/* Numbers of each row of the membrane, the variation of its strain; of each of its points,
+ * the slope along it. They take the room of the points' numbers above. */
+enum { ROW = 3, PULL = 1 };
 
 /* Numbers for bending: of b, phi_11, phi_22, 2 phi_12; of a, h^3/12 C phi. */
 enum { BENT = 3 };
@@ -225,7 +242,8 @@ static size_t shell_tangent_right(const struct shell_space *space)
 struct kernel {
     int row, groups;
     bool moments; /* whether the tangent has their part                                */
-    shell_lanes *flat[2], *bent[2], *moment[2]; /* of a, of b                          */
+    shell_lanes *flat[2], *rows[2], *pull[2];   /* of a, of b                          */
+    shell_lanes *bent[2], *moment[2];           /* likewise                            */
     double (*normal)[3];                        /* [points of bending]                 */
 };
 
@@ -241,8 +259,12 @@ static struct kernel kernel_of(struct shell_element *e, const struct large_path 
                        .normal = normal};
 
     k.bent[0] = k.flat[0] + FLAT_LEFT * flat, k.bent[1] = k.flat[1] + FLAT_RIGHT * flat;
-    for (int side = 0; side < 2; side++)
+    for (int side = 0; side < 2; side++) {
+        const int plain = e->at[SHELL_MEMBRANE].plain * k.groups;
+        k.rows[side] = k.flat[side] + (side ? FLAT_RIGHT : FLAT_LEFT) * plain;
+        k.pull[side] = k.rows[side] + ROW * rows_of(&e->at[SHELL_MEMBRANE]) * k.groups;
         k.moment[side] = k.bent[side] + BENT * bent;
+    }
     return k;
 }
 
@@ -295,7 +317,7 @@ static void fill_membrane(const struct kernel *k, struct shell_element *e,
     double h = shell_frame_stiffness(material, SHELL_MEMBRANE);
     shell_lanes C[3][3], N[3], a[2][3], Q[4][9], *L = k->flat[0], *R = k->flat[1];
 
-    for (int q = 0; q < p->count; q++) {
+    for (int q = 0; q < p->plain; q++) {
         int t = q % SHELL_LANES;
         if (t == 0) {
             shell_frame_law(rest, p->padded, q, C);
@@ -309,6 +331,48 @@ static void fill_membrane(const struct kernel *k, struct shell_element *e,
                 for (int i = 0; i < 9; i++)
                     L[9 * d + i] = Q[d][i][t] * R[0] + Q[2 + d][i][t] * R[1];
     }
+}
+
+/* Fills the rows' variations and their points' slopes. */
+static void fill_rows(const struct kernel *k, struct shell_element *e,
+                      const struct shell_material *material, const double *rest,
+                      const struct large_path *path)
+{
+    const struct shell_points *p = &e->at[SHELL_MEMBRANE];
+    const double h = shell_frame_stiffness(material, SHELL_MEMBRANE);
+    shell_lanes D[FLAT_RIGHT * SHELL_PADDED(SHELL_MAX_LOCAL) / SHELL_LANES] = {{0}};
+    shell_lanes a[2][3], *pull = k->pull[0], *slope = k->pull[1];
+
+    for (int q = p->plain, row = 0, n = 0; q < p->count; q++) {
+        const int d = row >= p->rows[0], t = q % SHELL_LANES;
+        const double factor = p->factor[d][n],
+                     law = h * rest[(REST_LAW + (d ? LAW_22 : LAW_11)) * p->padded + q],
+                     stress = law * factor * p->strain[d * p->padded + q];
+        shell_lanes *left = k->rows[0] + ROW * row * k->groups,
+                    *right = k->rows[1] + ROW * row * k->groups;
+        if (t == 0 || q == p->plain)
+            shell_frame_derive(p, e->local, e->X[1], q - t, 2, a);
+        turn(e, p, q, 2, FLAT_RIGHT, D);
+        for (int g = 0; g < k->groups; g++, left += ROW, right += ROW) {
+            const shell_lanes N = D[FLAT_RIGHT * g + d];
+            *slope++ = N, *pull++ = path->g1 * stress * N;
+            for (int i = 0; i < 3; i++) {
+                right[i] = (n ? right[i] : (shell_lanes){0}) + factor * a[d][i][t] * N;
+                left[i] = (path->s1 + path->lag) * law * right[i];
+            }
+        }
+        if (++n == p->each[d])
+            n = 0, row++;
+    }
+}
+
+/* Adds the 3 x 3 blocks of one function a and four b of one row to s. */
+static inline void add_row(const double *restrict l, const shell_lanes *restrict r,
+                           shell_lanes s[9])
+{
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            s[3 * i + j] += l[i * SHELL_LANES] * r[j];
 }
 
 /* Adds the 3 x 3 blocks of one function a and four b at one point to s. */
@@ -440,14 +504,23 @@ static void sum_blocks(const struct kernel *k, const struct shell_element *e, in
                        double *K)
 {
     const int own = a / SHELL_LANES, lane = a % SHELL_LANES, row = k->row;
-    shell_lanes s[9] = {{0}}, bent[6] = {{0}};
+    const struct shell_points *flat = &e->at[SHELL_MEMBRANE];
+    shell_lanes s[9] = {{0}}, bent[6] = {{0}}, pull = {0};
 #define LEFT_OF(array, what)  ((const double *)((array)[0] + own * (what)) + lane)
 #define RIGHT_OF(array, what) ((const double *)((array)[1] + g * (what)))
     const double *l = LEFT_OF(k->flat, FLAT_LEFT), *r = RIGHT_OF(k->flat, FLAT_RIGHT);
 
-    for (int q = 0; q < e->at[SHELL_MEMBRANE].count; q++)
+    for (int q = 0; q < flat->plain; q++)
         add_membrane(l + q * FLAT_LEFT * row,
                      (const shell_lanes *)(r + q * FLAT_RIGHT * row), s);
+    l = LEFT_OF(k->rows, ROW), r = RIGHT_OF(k->rows, ROW);
+    for (int q = 0; q < rows_of(flat); q++)
+        add_row(l + q * ROW * row, (const shell_lanes *)(r + q * ROW * row), s);
+    l = LEFT_OF(k->pull, PULL), r = RIGHT_OF(k->pull, PULL);
+    for (int q = 0; q < flat->count - flat->plain; q++)
+        pull += l[q * row] * *(const shell_lanes *)(r + q * row);
+    for (int i = 0; i < 9; i += 4)
+        s[i] += pull;
     l = LEFT_OF(k->bent, BENT), r = RIGHT_OF(k->bent, BENT);
     for (int q = 0; q < e->at[SHELL_BENDING].count; q++)
         add_bent(l + q * BENT * row, (const shell_lanes *)(r + q * BENT * row),
@@ -487,6 +560,7 @@ void shell_element_tangent(struct shell_element *e, const struct shell_material 
     const struct kernel k = kernel_of(e, path, normal);
 
     fill_membrane(&k, e, material, rest[SHELL_MEMBRANE], path);
+    fill_rows(&k, e, material, rest[SHELL_MEMBRANE], path);
     fill_bending(&k, e, material, rest[SHELL_BENDING], path);
     sum_all(&k, e);
 }
@@ -533,21 +607,48 @@ void shell_element_load(struct shell_element *e, const struct shell_space *space
     if (space->alike)
         e->at[SHELL_MEMBRANE].T = e->at[SHELL_BENDING].T,
         e->at[SHELL_MEMBRANE].count = e->at[SHELL_BENDING].count;
+    for (int r = 0; r < rules; r++) {
+        struct shell_points *p = &e->at[r];
+        const struct shell_direction *d = space->direction;
+        const bool rows = space->rule[r].grids > 1;
+        const int span[2] = {element / d[1].spans, element % d[1].spans};
+        for (int i = 0; i < 2; i++) {
+            p->rows[i] = rows ? d[i].line[SHELL_DERIVED].points[span[i]] : 0;
+            p->each[i] = d[1 - i].order, p->factor[i] = d[1 - i].unseen;
+        }
+        p->plain = rows ? p->rows[0] * p->rows[1] : p->count;
+    }
 }
 
-/* Takes a point's share of the law (law_shares). */
-static void share_law(const struct law *law, enum shell_share share, const double metric[3],
-                      double C[LAW_ENTRIES])
+/* Gives the points of a row its stiffness, area times law of all, and their factors for
+ * areas. */
+static void tie_rest(const struct shell_points *p, double *rest)
 {
-    double along[2];
+    for (int n = 0; n < rows_of(p); n++) {
+        const int d = n >= p->rows[0], first = row_of(p, n);
+        double *area = rest + REST_AREA * p->padded + first,
+               *law = rest + REST_LAW * p->padded + first, stiffness = 0;
+        for (int k = 0; k < p->each[d]; k++)
+            stiffness += area[k] * law[(d ? LAW_22 : LAW_11) * p->padded + k];
+        for (int k = 0; k < p->each[d]; k++) {
+            area[k] = p->factor[d][k];
+            for (int i = 0; i < LAW_ENTRIES; i++)
+                law[i * p->padded + k] = i == (d ? LAW_22 : LAW_11) ? stiffness : 0;
+        }
+    }
+}
 
-    if (share == SHELL_ALL)
-        return;
-    law_shares(law, metric, C, along);
-    if (share != SHELL_REST)
-        memset(C, 0, LAW_ENTRIES * sizeof *C);
-    C[LAW_11] += share == SHELL_REST ? -along[0] : share == SHELL_ALONG_U ? along[0] : 0;
-    C[LAW_22] += share == SHELL_REST ? -along[1] : share == SHELL_ALONG_V ? along[1] : 0;
+/* Gives all points of a row the sum of their strains by factors. */
+static void tie_strain(const struct shell_points *p)
+{
+    for (int n = 0; n < rows_of(p); n++) {
+        const int d = n >= p->rows[0];
+        double *strain = p->strain + d * p->padded + row_of(p, n), sum = 0;
+        for (int k = 0; k < p->each[d]; k++)
+            sum += p->factor[d][k] * strain[k];
+        for (int k = 0; k < p->each[d]; k++)
+            strain[k] = sum;
+    }
 }
 
 enum status shell_element_rest(struct shell_element *e, int rule,
@@ -574,12 +675,12 @@ enum status shell_element_rest(struct shell_element *e, int rule,
         const double here[3] = {metric[0][t], metric[1][t], metric[2][t]};
         law_on_surface(&material->law, rule == SHELL_BENDING ? LAW_BENDING : LAW_MEMBRANE,
                        here, det, law);
-        share_law(&material->law, place[q].share, here, law);
         for (int k = 0; k < 3; k++)
             r[(REST_FORM + k) * row] = form[k][t];
         for (int k = 0; k < 6; k++)
             r[(REST_LAW + k) * row] = law[k];
     }
+    tie_rest(p, rest);
     return STATUS_OK;
 }
 
@@ -621,13 +722,7 @@ static bool bending_strain(const struct shell_points *p, int local, const double
     return sound;
 }
 
-bool shell_element_strain(struct shell_element *e, const double *const rest[])
-{
-    membrane_strain(&e->at[SHELL_MEMBRANE], e->local, e->X[0], rest[SHELL_MEMBRANE]);
-    return bending_strain(&e->at[SHELL_BENDING], e->local, e->X[0], rest[SHELL_BENDING]);
-}
-
-void shell_element_foresee(struct shell_element *e)
+static void foresee(struct shell_element *e)
 {
     const struct shell_points *p = &e->at[SHELL_MEMBRANE];
     int row = p->padded;
@@ -642,6 +737,33 @@ void shell_element_foresee(struct shell_element *e)
         strain[2 * row / SHELL_LANES] -=
             0.5 * (shell_frame_dot(d[0], w[1]) + shell_frame_dot(d[1], w[0]));
     }
+}
+
+bool shell_element_strain(struct shell_element *e, const double *const rest[],
+                          bool foreseen)
+{
+    const struct shell_points *p = &e->at[SHELL_MEMBRANE];
+
+    membrane_strain(p, e->local, e->X[0], rest[SHELL_MEMBRANE]);
+    if (foreseen)
+        foresee(e);
+    tie_strain(p);
+    return bending_strain(&e->at[SHELL_BENDING], e->local, e->X[0], rest[SHELL_BENDING]);
+}
+
+/* Returns the energy of the rows: the factors of each have no sum, so that the points alone
+ * have none. */
+static double row_energy(const struct shell_points *p, double h, const double *rest)
+{
+    double sum = 0;
+
+    for (int n = 0; n < rows_of(p); n++) {
+        const int d = n >= p->rows[0], first = row_of(p, n);
+        const double strain = p->strain[d * p->padded + first];
+        sum += 0.5 * h * rest[(REST_LAW + (d ? LAW_22 : LAW_11)) * p->padded + first] *
+               strain * strain;
+    }
+    return sum;
 }
 
 /* Returns what softening adds to the energy. */
@@ -678,7 +800,10 @@ double shell_element_energy(const struct shell_element *e,
                        *(const shell_lanes *)(p->strain + k * p->padded + at);
         }
     }
-    const double linear = (sum[0] + sum[2]) + (sum[1] + sum[3]);
+    const double linear =
+        (sum[0] + sum[2]) + (sum[1] + sum[3]) +
+        row_energy(&e->at[SHELL_MEMBRANE], shell_frame_stiffness(material, SHELL_MEMBRANE),
+                   rest[SHELL_MEMBRANE]);
     return material->law.softens
                ? linear + soft_energy(&e->at[SHELL_BENDING], material, rest[SHELL_BENDING])
                : linear;

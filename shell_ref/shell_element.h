@@ -20,7 +20,8 @@
 /* Working storage. */
 
 /* Rest data of each point of the membrane and of bending: area, metric (or curvature), and
- * C without h, entries (0,0) (0,1) (0,2) (1,1) (1,2) (2,2); of the mass: its area alone. */
+ * C without h, entries (0,0) (0,1) (0,2) (1,1) (1,2) (2,2); of the mass: its area alone. Of
+ * a row: a point's factor, and the stiffness of all. */
 enum { REST_AREA, REST_FORM, REST_LAW = 4, SHELL_REST_ROWS = 10 };
 
 struct shell_material {
@@ -32,6 +33,10 @@ struct shell_material {
 /* An element's points of one rule. */
 struct shell_points {
     int count, padded; /* points, and rows of them                                     */
+    int plain;         /* the first of them, each with strains of its own              */
+    int rows[2];       /* then rows of points that share one strain along u, along v   */
+    int each[2];       /* points of such a row                                         */
+    const double *factor[2]; /* [each] by which their strains make this sum            */
     const double *T;   /* [SHELL_DERIVATIVES or SHELL_SLOPES][local][padded]           */
     double *room;      /* room to make them in                                         */
     double *strain;    /* [3][padded]; the mass has none                               */
@@ -73,8 +78,14 @@ enum status shell_element_rest(struct shell_element *e, int rule,
                                const struct shell_place *place, double *rest);
 
 /* Computes e->strain on the control points e->X[0]. rest[SHELL_PARTS], here and below: of
- * membrane and bending. False if they are not finite or the surface has no normal. */
-bool shell_element_strain(struct shell_element *e, const double *const rest[]);
+ * membrane and bending. False if they are not finite or the surface has no normal.
+ *
+ * `foreseen` subtracts half the product of the change e->X[2] and e->X[1]
+ * (large_foresight's beside) in the membrane: this is the strain as the tangent foresaw it.
+ * Magisano, Leonetti, Garcea 2017 base the geometric part on it: Newton's method on thin
+ * shells then needs far fewer steps. */
+bool shell_element_strain(struct shell_element *e, const double *const rest[],
+                          bool foreseen);
 
 /* Returns the elastic energy of e->strain [J]. */
 double shell_element_energy(const struct shell_element *e,
@@ -84,12 +95,6 @@ double shell_element_energy(const struct shell_element *e,
 /* Computes e->f: forces of the stress of e->strain on the geometry e->X[1]. */
 void shell_element_force(struct shell_element *e, const struct shell_material *material,
                          const double *const rest[]);
-
-/* Subtracts half the product of the change e->X[2] and e->X[1] (large_foresight's beside)
- * from e->strain in the membrane: this is the strain as the tangent foresaw it. Magisano,
- * Leonetti, Garcea 2017 base the geometric part on it: Newton's method on thin shells then
- * needs far fewer steps. */
-void shell_element_foresee(struct shell_element *e);
 
 /* Computes e->K on the geometry e->X[1], by the path's shares: s1 times the material part
  * (the membrane's s1 + lag) plus g1 times the geometric part with the stress of e->strain.

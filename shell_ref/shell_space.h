@@ -31,15 +31,17 @@ enum { SHELL_DERIVATIVES = 6, SHELL_SLOPES = 3 };
 /* The integrals, each with points of its own. */
 enum { SHELL_MEMBRANE, SHELL_BENDING, SHELL_PARTS, SHELL_MASS = SHELL_PARTS, SHELL_RULES };
 
-/* The strains of which a point of the membrane has its share. */
-enum shell_share { SHELL_ALL, SHELL_REST, SHELL_ALONG_U, SHELL_ALONG_V };
+/* The strains that a point of the membrane is asked for: all; or with others of its row,
+ * the part of that along u, or v, which those do not see. */
+enum shell_share { SHELL_ALL, SHELL_UNSEEN_U, SHELL_UNSEEN_V };
 
 /* Gauss points of the full rule; line_rule.h's of bending, and as many points as there are
- * functions, and derivatives. */
-enum { SHELL_FULL, SHELL_BENT, SHELL_VALUES, SHELL_DERIVED, SHELL_LINES };
+ * derivatives. */
+enum { SHELL_FULL, SHELL_BENT, SHELL_DERIVED, SHELL_LINES };
 
 struct shell_direction {
     int order, spans;
+    double unseen[BSPLINE_MAX_ORDER];    /* factors of a row's strains along it           */
     struct line_table line[SHELL_LINES]; /* values and two derivatives                 */
 };
 
@@ -73,17 +75,23 @@ struct shell_space {
  *
  * Selective. The strain along u is a product of derivatives of degree p - 1 in u and values
  * of degree p in v. Asked for at more points than such a space has functions, it must
- * vanish where a thin sheet's bending lets it not: the membrane locks. It is therefore
- * asked for at those of SHELL_DERIVED in u and SHELL_VALUES in v, that along v the other
- * way round, shear at those of SHELL_DERIVED in both (reduced_rule_derived). (Strains
- * interpolated at such points are those of Casquero, Mathews, CMAME 417, 2023; here the
- * points are a quadrature, and nothing is interpolated: line_rule_greville.) Poisson's
- * ratio couples the first two, which have no point in common: at the points of shear the
- * law keeps what is left of it after as much of Young's modulus along u and along v has
- * gone to their own points as leaves it nowhere negative. Bending has the points of
- * line_rule_bending (of degree 2 one a span leaves no mode unseen, yet a zigzag from point
- * to point bends so softly then that Newton's method needs 1.6 times the tangents:
- * edge_drop, 16x16). The mass has p + 1.
+ * vanish where a thin sheet's bending lets it not: the membrane locks. All strains are
+ * therefore asked for at the points of SHELL_DERIVED in u and v (reduced_rule_derived).
+ * These are fewer by one along v than the strain along u has functions: a zigzag from span
+ * to span along v is zero at all of them. A row of p + 1 Gauss points along v adds, at each
+ * point of u, the energy of its part of degree p in the span, of which the zigzag has one
+ * and a smooth strain next to none; likewise the strain along v. Poisson's ratio has no
+ * part in it, so that even states leave no stress in the rows.
+ *
+ * (Casquero and Mathews, CMAME 417, 2023, interpolate the strain along u from as many
+ * points along v as it has functions. As a quadrature beside SHELL_DERIVED's, with some of
+ * Young's modulus at their own points, they press a strip that is pulled: the stress across
+ * is what pulls there, less what nu takes off it elsewhere. It vanishes in the mean alone,
+ * and waves of two spans feel one of the two.)
+ *
+ * Bending has the points of line_rule_bending (of degree 2 one a span leaves no mode
+ * unseen, yet a zigzag from point to point bends so softly then that Newton's method needs
+ * 1.6 times the tangents: edge_drop, 16x16). The mass has p + 1.
  *
  * STATUS_INPUT with a sentence unless degrees are 2 or more (a Kirchhoff-Love shell needs
  * slopes that are continuous), inner knots are repeated at most p - 1 times and
@@ -96,7 +104,6 @@ void shell_space_clear(struct shell_space *space);
 /* A point of a rule in an element: parametric weight; [3][order] of u and of v. */
 struct shell_place {
     double weight;
-    enum shell_share share;
     const double *N[2];
 };
 

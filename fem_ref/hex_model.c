@@ -300,8 +300,7 @@ static enum status init(void *state, const struct scene *scene,
 
     TRY(solid_model_refuse_fabric(scene, why));
     TRY(model_refuse(scene, SOLID_MODEL_SERVES, why));
-    TRY(contact_rest_refuse(scene, why));
-    TRY(contact_refuse_linear(scene, d, why));
+    TRY(contact_rest_refuse(scene, d, why));
     TRY(model_refuse_options(d, why));
     TRY(refuse(d, why));
     TRY(solid_model_basis(scene, d, d->points[2] == 2, &thickness, why));

@@ -50,17 +50,6 @@ static int repeat(const struct scene *scene, int count, double *line)
     return sheets * count;
 }
 
-enum status bspline_contact_refuse(const struct scene *scene,
-                                   const struct discretization *d, struct message *why)
-{
-    if (d->contact == CONTACT_NET && contact_wanted(scene) &&
-        (scene_closed(scene) || scene_sheets(scene) > 1))
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "contact=control_points is for one sheet that is not closed; "
-                           "use contact=surface");
-    return STATUS_OK;
-}
-
 enum status bspline_contact_surface(const struct scene *scene,
                                     const struct bspline basis[2],
                                     const struct discretization *d, const void *self,

@@ -12,10 +12,6 @@
 #include "models/contact/contact_surface.h"
 #include "models/option.h"
 
-/* Refuses, with a sentence, control points of several sheets or of a closed one. */
-enum status bspline_contact_refuse(const struct scene *scene,
-                                   const struct discretization *d, struct message *why);
-
 /* Makes the samples of a surface with the bases of u and v, by the choice in d: several a
  * span, one where both degrees are 1, or one at each Greville abscissa. Areas of the latter
  * are the integrals of the functions. row[CONTACT_SAMPLES]: of the surface, and of the

@@ -764,9 +764,7 @@ static enum status init(void *state, const struct scene *scene,
     struct plate *p = state;
 
     TRY(model_refuse(scene, PLATE_SERVES, why));
-    TRY(contact_rest_refuse(scene, why));
-    TRY(contact_refuse_linear(scene, d, why));
-    TRY(bspline_contact_refuse(scene, d, why));
+    TRY(contact_rest_refuse(scene, d, why));
     TRY(model_refuse_options(d, why));
     TRY(check_remedy(d, why));
     if (d->remedy != REMEDY_SELECTIVE)

@@ -1,7 +1,6 @@
 #include "mass_spring/spring_model.h"
 
 #include "mass_spring/spring_motion.h"
-#include "models/contact/contact_rest.h"
 
 /* clang-format off */
 static const struct schema_key options[] = {
@@ -23,28 +22,19 @@ static const struct schema_key options[] = {
     {NULL}};
 /* clang-format on */
 
-static enum status refuse(const struct scene *scene, const struct discretization *d,
-                          struct message *why)
-{
-    const bool momentum = d->integrator == INTEGRATOR_MOMENTUM;
-
-    if (scene_needs(scene) & SCENE_NEED_SOFTENING && !momentum)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "softening: with integrator=momentum only, the others have "
-                           "struts of constant force or a constant bending");
-    if (OWN(spring_own, d)->strain_limit > 0 && contact_wanted(scene))
-        return status_fail(why, STATUS_UNSUPPORTED, "strain_limit: without contact only");
-    return STATUS_OK;
-}
-
 static enum status init(void *state, const struct scene *scene,
                         const struct discretization *d, struct message *why)
 {
     enum status st;
+    const struct net_refusal rows[] = {
+        {scene_needs(scene) & SCENE_NEED_SOFTENING && d->integrator != INTEGRATOR_MOMENTUM,
+         "softening: with integrator=momentum only, the others have struts of constant "
+         "force or a constant bending"},
+        {OWN(spring_own, d)->strain_limit > 0 && contact_wanted(scene),
+         "strain_limit: without contact only"},
+        {0}};
 
-    TRY(model_refuse_net(scene, d, why));
-    TRY(contact_rest_refuse(scene, why));
-    TRY(refuse(scene, d, why));
+    TRY(net_refuse(scene, d, rows, why));
     TRY(spring_motion_init(state, scene, d, why));
 out:
     return st;

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "models/contact/contact_rest.h"
+#include "models/damping.h"
 #include "models/room.h"
 #include "models/vector.h"
 
@@ -476,15 +476,14 @@ static enum status init(void *state, const struct scene *scene,
                         const struct discretization *d, struct message *why)
 {
     enum status st;
+    const struct net_refusal rows[] = {
+        {OWN(pb_own, d)->projection == PROJECTION_PBD && damping_stiffness(scene) > 0 &&
+             d->parameters == PARAMETERS_MATCHED,
+         "unsupported: no damping by stiffness (rayleigh beta) with projection=pbd, which "
+         "knows no stiffness"},
+        {0}};
 
-    TRY(model_refuse_net(scene, d, why));
-    TRY(contact_rest_refuse(scene, why));
-    if (OWN(pb_own, d)->projection == PROJECTION_PBD &&
-        scene->damping.kind == DAMPING_RAYLEIGH && scene->damping.beta > 0 &&
-        d->parameters == PARAMETERS_MATCHED)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "unsupported: no damping by stiffness (rayleigh beta) with "
-                           "projection=pbd, which knows no stiffness");
+    TRY(net_refuse(scene, d, rows, why));
     TRY(pb_motion_init(state, scene, d, why));
 out:
     return st;

@@ -1,6 +1,7 @@
 #include "projective_dynamics/projective_dynamics_model.h"
 
-#include "models/contact/contact_rest.h"
+#include "models/damping.h"
+#include "models/net/net.h"
 #include "models/net/spring_law.h"
 #include "projective_dynamics/pd_motion.h"
 
@@ -20,15 +21,6 @@ static const struct schema_key options[] = {
      OPTION_OWN(pd_own, acceleration)},
     {NULL}};
 /* clang-format on */
-
-static enum status refuse_damping(const struct scene *scene, struct message *why)
-{
-    if (scene->damping.kind == DAMPING_RAYLEIGH && scene->damping.beta != 0)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "unsupported: no damping by stiffness (rayleigh beta); the "
-                           "constant matrix has no stiffness that turns with the sheet");
-    return STATUS_OK;
-}
 
 static enum constraint constraint_of(const struct scene *scene,
                                      const struct discretization *d)
@@ -87,19 +79,18 @@ static enum status init(void *state, const struct scene *scene,
 {
     enum status st;
     const struct pd_options chosen = options_of(scene, d);
+    const bool matched = d->parameters == PARAMETERS_MATCHED,
+               triangles = chosen.constraint == CONSTRAINT_TRIANGLES;
+    const struct net_refusal rows[] = {
+        {matched && damping_stiffness(scene) != 0,
+         "unsupported: no damping by stiffness (rayleigh beta); the constant matrix has no "
+         "stiffness that turns with the sheet"},
+        {chosen.split && !triangles, "acceleration=admm: with constraint=triangles only"},
+        {scene->is_fabric && triangles && matched,
+         "a fabric: with constraint=edges only, the projection of triangles is isotropic"},
+        {0}};
 
-    TRY(model_refuse_net(scene, d, why));
-    TRY(contact_rest_refuse(scene, why));
-    if (d->parameters == PARAMETERS_MATCHED)
-        TRY(refuse_damping(scene, why));
-    if (chosen.split && chosen.constraint != CONSTRAINT_TRIANGLES)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "acceleration=admm: with constraint=triangles only");
-    if (scene->is_fabric && chosen.constraint == CONSTRAINT_TRIANGLES &&
-        d->parameters == PARAMETERS_MATCHED)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "a fabric: with constraint=edges only, the projection of "
-                           "triangles is isotropic");
+    TRY(net_refuse(scene, d, rows, why));
     TRY(pd_motion_init(state, scene, &chosen, why));
 out:
     return st;

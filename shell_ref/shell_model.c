@@ -642,11 +642,7 @@ static enum status refuse(const struct scene *scene, const struct discretization
     enum status st = model_refuse(scene, shell_model.serves, why);
 
     if (st == STATUS_OK)
-        st = contact_rest_refuse(scene, why);
-    if (st == STATUS_OK)
-        st = contact_refuse_linear(scene, d, why);
-    if (st == STATUS_OK)
-        st = bspline_contact_refuse(scene, d, why);
+        st = contact_rest_refuse(scene, d, why);
     if (st != STATUS_OK)
         return st;
     if (d->points[2] > 1 || d->gauss[2])

@@ -59,7 +59,7 @@ says 'inside the sheet' mesh=hole.obj
 says 'none.obj' mesh=none.obj
 says 'refine: of a mesh that is no grid' refine=1
 says 'arc=on: with bending=midedge only' mesh=irregular arc=on
-says 'a mesh: with membrane=green or springs only' mesh=irregular membrane=corotational
+says 'a mesh, or bending=midedge: with membrane=green or springs only' mesh=irregular membrane=corotational
 # a napkin is folded on itself, within twice what is known of it, though no point lies where
 # a grid has one
 good run fold --model triangles --set discretization.mesh=irregular \

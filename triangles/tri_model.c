@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "models/contact/contact_rest.h"
 #include "models/mechanics/pencil.h"
 
 static double elastic(const struct tri_motion *m, const double *x)
@@ -194,70 +193,47 @@ static const struct schema_key options[] = {
     {NULL}};
 /* clang-format on */
 
-/* Refuses what the sheet on a mesh cannot do, and what a grid has no use for. */
-static enum status refuse_mesh(const struct scene *scene, const struct discretization *d,
-                               struct message *why)
+/* Refuses what a sheet on a mesh, and one on a grid, cannot do. */
+static enum status refuse(const struct scene *scene, const struct discretization *d,
+                          struct message *why)
 {
-    const bool grid = mesh_is_grid(d);
-    const bool springs = OWN(tri_own, d)->membrane == MEMBRANE_SPRINGS;
-    const char *what = grid ? "bending=midedge" : "a mesh";
+    const unsigned needs = scene_needs(scene);
+    const enum membrane membrane = OWN(tri_own, d)->membrane;
+    const bool grid = mesh_is_grid(d), meshed = !grid || d->bending == BENDING_MIDEDGE,
+               springs = membrane == MEMBRANE_SPRINGS,
+               leaps = d->integrator == INTEGRATOR_LEAPFROG,
+               hinges = d->bending == BENDING_HINGE;
+    const struct net_refusal rows[] = {
+        {springs && !meshed,
+         "membrane=springs: of a mesh, or with bending=midedge; springs of a grid are the "
+         "model mass_spring"},
+        {springs && scene->is_fabric, "membrane=springs: of an isotropic sheet only"},
+        {springs && OWN(tri_own, d)->arc == TRI_ARC_ON,
+         "membrane=springs: with arc=off only"},
+        {meshed && (scene_sheets(scene) > 1 || scene->shape != SCENE_FLAT),
+         "a mesh, or bending=midedge: of one flat sheet only"},
+        {meshed && !springs && membrane != MEMBRANE_GREEN,
+         "a mesh, or bending=midedge: with membrane=green or springs only"},
+        {meshed && needs & SCENE_NEED_SOFTENING,
+         "softening: of a grid with bending=quadratic only"},
+        {needs & SCENE_NEED_OWN_MATERIALS && (leaps || hinges),
+         "sheets with materials of their own: integrator=momentum or implicit with "
+         "bending=quadratic only"},
+        {scene->is_fabric && hinges,
+         "a fabric: with bending=quadratic only, hinges are isotropic"},
+        {scene->is_fabric && leaps && membrane == MEMBRANE_COROTATIONAL,
+         "a fabric: corotational triangles with implicit steps only"},
+        {needs & SCENE_NEED_SOFTENING && leaps,
+         "softening: integrator=momentum or implicit only"},
+        {needs & SCENE_NEED_BIAS && (leaps || membrane == MEMBRANE_BARAFF_WITKIN),
+         "a fabric whose warp runs along neither edge couples stretch to shear: "
+         "integrator=momentum or implicit only, and membrane=green or corotational"},
+        {0}};
 
     if (grid && (d->seed || d->refine))
         return status_fail(why, STATUS_INPUT, "%s: of a mesh that is no grid",
                            d->seed ? "seed" : "refine");
-    if (grid && d->bending != BENDING_MIDEDGE)
-        return springs
-                   ? status_fail(why, STATUS_UNSUPPORTED,
-                                 "membrane=springs: of a mesh, or with bending=midedge; "
-                                 "springs of a grid are the model mass_spring")
-                   : STATUS_OK;
-    if (springs && (scene->is_fabric || OWN(tri_own, d)->arc == TRI_ARC_ON))
-        return status_fail(why, STATUS_UNSUPPORTED, "membrane=springs: %s",
-                           scene->is_fabric ? "of an isotropic sheet only"
-                                            : "with arc=off only");
-    if (scene_sheets(scene) > 1 || scene->shape != SCENE_FLAT)
-        return status_fail(why, STATUS_UNSUPPORTED, "%s: of one flat sheet only", what);
-    if (!springs && OWN(tri_own, d)->membrane != MEMBRANE_GREEN)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "%s: with membrane=green or springs only", what);
-    if (scene_needs(scene) & SCENE_NEED_SOFTENING)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "softening: of a grid with bending=quadratic only");
-    return STATUS_OK;
-}
-
-static enum status refuse(const struct scene *scene, const struct discretization *d,
-                          struct message *why)
-{
-    enum status st;
-
-    TRY(model_refuse_net(scene, d, why));
-    TRY(contact_rest_refuse(scene, why));
-    TRY(refuse_mesh(scene, d, why));
-    if (scene_needs(scene) & SCENE_NEED_OWN_MATERIALS &&
-        (d->integrator == INTEGRATOR_LEAPFROG || d->bending == BENDING_HINGE))
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "sheets with materials of their own: integrator=momentum or "
-                           "implicit with bending=quadratic only");
-    if (scene->is_fabric && d->bending == BENDING_HINGE)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "a fabric: with bending=quadratic only, hinges are isotropic");
-    if (scene->is_fabric && d->integrator == INTEGRATOR_LEAPFROG &&
-        OWN(tri_own, d)->membrane == MEMBRANE_COROTATIONAL)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "a fabric: corotational triangles with implicit steps only");
-    if (scene_needs(scene) & SCENE_NEED_SOFTENING && d->integrator == INTEGRATOR_LEAPFROG)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "softening: integrator=momentum or implicit only");
-    if (scene_needs(scene) & SCENE_NEED_BIAS &&
-        (d->integrator == INTEGRATOR_LEAPFROG ||
-         OWN(tri_own, d)->membrane == MEMBRANE_BARAFF_WITKIN))
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "a fabric whose warp runs along neither edge couples stretch to "
-                           "shear: integrator=momentum or implicit only, and "
-                           "membrane=green or corotational");
-out:
-    return st;
+    return net_refuse(scene, d, rows, why);
 }
 
 static enum status init(void *state, const struct scene *scene,

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "models/contact/contact_rest.h"
+#include "models/damping.h"
 #include "models/room.h"
 #include "models/vector.h"
 
@@ -262,25 +262,21 @@ static enum status refuse(const struct scene *scene, const struct discretization
                           struct message *why)
 {
     enum status st;
-    const struct vb_own *own = OWN(vb_own, d);
+    const struct net_refusal rows[] = {
+        {damping_stiffness(scene) != 0,
+         "unsupported: no damping by stiffness (rayleigh beta): that of Chen et al. would "
+         "resist rigid turns, too"},
+        {d->bending == BENDING_HINGE && scene->is_fabric,
+         "bending=hinge bends alike about every axis; for a fabric use bending=quadratic"},
+        {OWN(vb_own, d)->elements == VB_SPRINGS && scene_needs(scene) & SCENE_NEED_BIAS,
+         "elements=springs: springs along the edges can't couple stretch to shear, as a "
+         "fabric does whose warp runs along neither"},
+        {0}};
 
-    TRY(model_refuse_net(scene, d, why));
-    TRY(contact_rest_refuse(scene, why));
+    TRY(net_refuse(scene, d, rows, why));
     if (d->substeps < 1)
         return status_fail(why, STATUS_INPUT,
                            "substeps: vbd takes a fixed number, 1 or more");
-    if (scene->damping.kind == DAMPING_RAYLEIGH && scene->damping.beta != 0)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "unsupported: no damping by stiffness (rayleigh beta): that of "
-                           "Chen et al. would resist rigid turns, too");
-    if (d->bending == BENDING_HINGE && scene->is_fabric)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "bending=hinge bends alike about every axis; for a fabric use "
-                           "bending=quadratic");
-    if (own->elements == VB_SPRINGS && scene_needs(scene) & SCENE_NEED_BIAS)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "elements=springs: springs along the edges can't couple stretch "
-                           "to shear, as a fabric does whose warp runs along neither");
 out:
     return st;
 }

@@ -380,17 +380,6 @@ bool contact_wanted(const struct scene *scene)
     return scene->obstacle_count > 0 || scene->contact.self;
 }
 
-enum status contact_refuse_linear(const struct scene *scene, const struct discretization *d,
-                                  struct message *why)
-{
-    if (contact_wanted(scene) && d->kinematics == KINEMATICS_LINEAR)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "unsupported: no contact with kinematics=linear, which is for "
-                           "small displacements about the rest shape; use "
-                           "kinematics=nonlinear");
-    return STATUS_OK;
-}
-
 bool contact_rubs(const struct contact *c)
 {
     bool any = c->scene->contact.friction > 0;

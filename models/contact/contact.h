@@ -84,10 +84,6 @@ struct contact {
 /* Returns whether the scene has anything to meet: without it nothing here is needed. */
 bool contact_wanted(const struct scene *scene);
 
-/* Refuses contact, with a sentence, under linear kinematics. */
-enum status contact_refuse_linear(const struct scene *scene, const struct discretization *d,
-                                  struct message *why);
-
 /* Returns whether anything in its scene has friction. */
 bool contact_rubs(const struct contact *c);
 

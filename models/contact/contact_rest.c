@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "models/contact/contact.h"
 #include "models/contact/contact_foot.h"
 #include "models/contact/contact_law.h"
 #include "models/contact/contact_shape.h"
@@ -186,8 +187,20 @@ double contact_rest_overlap(const struct scene *scene, int sheet, int *before)
     return most;
 }
 
-enum status contact_rest_refuse(const struct scene *scene, struct message *why)
+enum status contact_rest_refuse(const struct scene *scene, const struct discretization *d,
+                                struct message *why)
 {
+    if (!contact_wanted(scene))
+        return STATUS_OK;
+    if (d->kinematics == KINEMATICS_LINEAR)
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "unsupported: no contact with kinematics=linear, which is for "
+                           "small displacements about the rest shape; use "
+                           "kinematics=nonlinear");
+    if (d->contact == CONTACT_NET && (scene_closed(scene) || scene_sheets(scene) > 1))
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "contact=control_points is for one sheet that is not closed; "
+                           "use contact=surface");
     for (int o = 0; o < scene->obstacle_count; o++) {
         const double depth = contact_rest_depth(scene, &scene->obstacles[o]);
         if (depth > 0)

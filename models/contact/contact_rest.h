@@ -2,6 +2,7 @@
 #ifndef CONTACT_REST_H
 #define CONTACT_REST_H
 
+#include "models/discretization.h"
 #include "models/scene.h"
 
 /* Returns how far a sheet at rest reaches into a body at t = 0 [m], 0 if none does: the
@@ -17,8 +18,10 @@ double contact_rest_depth(const struct scene *scene, const struct scene_obstacle
 double contact_rest_overlap(const struct scene *scene, int sheet, int *before);
 #define CONTACT_REST_OVERLAP "sheet %d begins %.3g m too near to sheet %d, in contact"
 
-/* Refuses sheets that begin in a body or in each other, as the reader of scenes does, with
- * the line: STATUS_INPUT with a sentence. */
-enum status contact_rest_refuse(const struct scene *scene, struct message *why);
+/* Refuses, with a sentence, sheets that begin in a body or in each other, as the reader of
+ * scenes does, with the line: STATUS_INPUT; contact under linear kinematics, and of the
+ * control points of several sheets or of a closed one: STATUS_UNSUPPORTED. */
+enum status contact_rest_refuse(const struct scene *scene, const struct discretization *d,
+                                struct message *why);
 
 #endif

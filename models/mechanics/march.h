@@ -137,8 +137,8 @@ struct march_integrator {
     double (*kinetic)(const struct march *m);
     void (*describe)(const struct march *m, struct message *line); /* NULL: nothing       */
     /* Set by steps that do not need the march's contact, tangents and their room either,
-     * which are then made when equilibrium asks for them: the contact of the last step, and v brought up to x.
-     */
+     * which are then made when equilibrium asks for them: the contact of the last step, and
+     * v brought up to x. */
     void (*contact)(const struct march *m, struct model_contact *contact);
     void (*look)(const struct march *m);
     void (*clear)(struct march *m); /* frees m->own        */

@@ -3,9 +3,24 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/contact/contact_rest.h"
 #include "models/damping.h"
 #include "models/net/spring_law.h"
 #include "models/room.h"
+
+enum status net_refuse(const struct scene *scene, const struct discretization *d,
+                       const struct net_refusal *row, struct message *why)
+{
+    enum status st;
+
+    TRY(model_refuse_net(scene, d, why));
+    TRY(contact_rest_refuse(scene, d, why));
+    for (; row->sentence; row++)
+        if (row->is_asked)
+            return status_fail(why, STATUS_UNSUPPORTED, "%s", row->sentence);
+out:
+    return st;
+}
 
 static void set_points(struct net *net, enum parameters parameters, double alpha)
 {

@@ -27,6 +27,17 @@ struct net {
     double keep;   /* factor on velocities after each frame                  [1]      */
 };
 
+/* What a net cannot do, with the scene and choices at hand. */
+struct net_refusal {
+    bool is_asked;
+    const char *sentence; /* NULL ends a table */
+};
+
+/* Refuses what model_refuse_net and contact_rest_refuse do, then the first row that is
+ * asked: STATUS_UNSUPPORTED with its sentence. */
+enum status net_refuse(const struct scene *scene, const struct discretization *d,
+                       const struct net_refusal *row, struct message *why);
+
 /* Makes the net at rest, with its initial velocity. d: points and parameters; the paper's
  * have a mass and a drag of points of their own, which replaces the scene's damping. *net
  * must stay where it is. */

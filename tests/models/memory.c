@@ -4,7 +4,7 @@
 #define _GNU_SOURCE /* vasprintf, open_memstream */
 #include "bench/harness/contestant.h"
 #include "models/reader/scene_file.h"
-#include "models/contact/contact.h"
+#include "models/contact/contact_rest.h"
 #include "models/grid.h"
 #include "tests/failing_memory.h"
 
@@ -104,7 +104,7 @@ static void try_contestant(const struct contestant *c, const char *kind, bool at
                                         &s.scene, &s.d, &why) == STATUS_OK))
         printf("  %s: %s\n", name, why.text);
     else if (!model_refuse(&s.scene, c->model->serves, NULL) &&
-             contact_refuse_linear(&s.scene, &s.d, NULL) == STATUS_OK)
+             contact_rest_refuse(&s.scene, &s.d, NULL) == STATUS_OK)
         try_all(&(struct deed){name, live_through, &s});
     settings_clear(&all);
     scene_clear(&s.scene);

@@ -112,7 +112,8 @@ static enum status give_needles(struct scene *s, int count, struct message *why)
     TRY(contact_mesh_make(round + 3, (const double(*)[3])vertex, 2 * round + (count < 0),
                           (const int(*)[3])triangle, &body.mesh, why));
     TRY(scene_add_obstacle(s, &body));
-    st = contact_rest_refuse(s, why);
+    st = contact_rest_refuse(
+        s, &(struct discretization){.kinematics = KINEMATICS_NONLINEAR}, why);
 out:
     return st;
 }

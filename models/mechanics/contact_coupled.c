@@ -138,9 +138,3 @@ enum status contact_coupled_update(struct contact_coupled *w, struct system *sys
     fill_mass(w, system->graph, M);
     return system_update(&w->system, k, (const double(*)[9])w->K, m, w->M);
 }
-
-enum status contact_coupled_solve(struct contact_coupled *w, struct system *system,
-                                  double *x)
-{
-    return system_solve(w->used ? &w->system : system, x);
-}

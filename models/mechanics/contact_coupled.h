@@ -10,13 +10,13 @@
 
 /* All zero before the first use, and after contact_coupled_clear. */
 struct contact_coupled {
-    bool used;           /* by the last contact_coupled_add                             */
-    struct blocks graph; /* the body's, and that of the touches it was made for         */
-    struct system system;
-    void *room;     /* of the arrays                                       owned   */
-    long *place;    /* [pairs of the body] where they are in graph                */
-    double (*K)[9]; /* [pairs of graph]                                            */
-    double *M;      /* [pairs of graph]                                            */
+    bool used;            /* by the last contact_coupled_add                             */
+    struct blocks graph;  /* the body's, and that of the touches it was made for         */
+    struct system system; /* solves while `used`                                        */
+    void *room;           /* of the arrays                                       owned   */
+    long *place;          /* [pairs of the body] where they are in graph                */
+    double (*K)[9];       /* [pairs of graph]                                            */
+    double *M;            /* [pairs of graph]                                            */
 };
 
 /* Adds the stiffness of the touches of the last contact_find to K[pairs], a tangent of the
@@ -36,10 +36,6 @@ enum status contact_coupled_pencil(struct contact_coupled *w, const struct conta
 enum status contact_coupled_update(struct contact_coupled *w, struct system *system,
                                    double k, const double (*K)[9], double m,
                                    const double *M);
-
-/* Solves as system_solve does. */
-enum status contact_coupled_solve(struct contact_coupled *w, struct system *system,
-                                  double *x);
 
 void contact_coupled_clear(struct contact_coupled *w);
 

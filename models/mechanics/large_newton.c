@@ -194,7 +194,7 @@ static enum status solve(struct newton *n, double *b)
     if (m->loose > 0)
         iterative_tolerate(m->system.iterative, m->loose,
                            isfinite(n->size) ? NEAR * m->tolerance : 0);
-    return contact_coupled_solve(&m->coupled, &m->system, b);
+    return system_solve(m->coupled.used ? &m->coupled.system : &m->system, b);
 }
 
 /* --- changes -------------------------------------------------------------------------- */

@@ -4,6 +4,7 @@
 
 #include "models/grid.h"
 #include "models/metric/metric.h"
+#include "models/vector.h"
 #include "tests/contract.h"
 
 enum { FIELD = GRID_POINTS * 3 };
@@ -128,19 +129,22 @@ static void check_independence(const struct model *model, const struct scene *sc
 }
 
 /* A free sheet goes this way in FRAMES steps of h, over each component: gravity alone, an
- * initial velocity alone, and that under either damping. */
+ * initial velocity or spin alone, and a velocity under each damping of it. */
 static const struct motion {
     const char *name;
-    double gravity[3], velocity[3];
+    double gravity[3], velocity[3], spin[3];
     enum damping_kind damping;
     double value, reach; /* of the damping; what is left of the way by the velocity */
 } motions[] = {
-    {"gravity", {1, -2, -3}, {0}, DAMPING_NONE, 0, 1},
-    {"velocity", {0}, {0.3, 0.2, -0.1}, DAMPING_NONE, 0, 1},
-    /* sum of mu^k over 12 steps, k = 0 to 11, over 12 */
-    {"scaled", {0}, {0.3, 0.2, -0.1}, DAMPING_VELOCITY_SCALE, 0.9, 0.598},
+    {"gravity", {1, -2, -3}, {0}, {0}, DAMPING_NONE, 0, 1},
+    {"velocity", {0}, {0.3, 0.2, -0.1}, {0}, DAMPING_NONE, 0, 1},
+    {"spin", {0}, {0}, {0.4, -0.8, 1}, DAMPING_NONE, 0, 1},
+    /* sum of mu^k over 12 steps, k = 0 to 11, over 12; mu = 1 - h 20 */
+    {"scale", {0}, {0.3, 0.2, -0.1}, {0}, DAMPING_VELOCITY_SCALE, 0.9, 0.598},
+    {"rate", {0}, {0.3, 0.2, -0.1}, {0}, DAMPING_VELOCITY_RATE, 20, 0.598},
     /* (1 - exp(-a t)) / a t of a t = 1.2 */
-    {"rate", {0}, {0.3, 0.2, -0.1}, DAMPING_MASS, 20, 0.582},
+    {"mass", {0}, {0.3, 0.2, -0.1}, {0}, DAMPING_MASS, 20, 0.582},
+    {"rayleigh", {0}, {0.3, 0.2, -0.1}, {0}, DAMPING_RAYLEIGH, 20, 0.582},
 };
 
 /* Returns the mean of a component over the grid. */
@@ -165,9 +169,15 @@ static void check_free_motion(const struct model *model, const struct motion *m)
     fill_scene(&scene);
     scene.support_count = 0;
     scene.damping.kind = m->damping;
-    scene.damping.value = m->value;
+    scene.damping.value = scene.damping.alpha = m->value;
     memcpy(scene.gravity, m->gravity, sizeof scene.gravity);
     memcpy(scene.velocity, m->velocity, sizeof scene.velocity);
+    memcpy(scene.spin, m->spin, sizeof scene.spin);
+    const double middle[3] = {scene.length / 2, scene.width / 2, 0};
+    double velocity[3]; /* of the middle */
+    vector_cross(m->spin, middle, velocity);
+    for (int i = 0; i < 3; i++)
+        velocity[i] += m->velocity[i];
     const double h = scene.step, t = FRAMES * h;
     const enum status st = model_create(model, &scene, &d, &state, NULL);
     CHECK(st == STATUS_OK || st == STATUS_UNSUPPORTED);
@@ -177,8 +187,8 @@ static void check_free_motion(const struct model *model, const struct motion *m)
         model_sample(model, state, last);
     }
     for (int i = 0; i < 3 && st == STATUS_OK; i++) {
-        const double want = m->velocity[i] * t * m->reach + m->gravity[i] * t * t / 2;
-        const double step = fabs(m->velocity[i]) * h + fabs(m->gravity[i]) * t * h;
+        const double want = velocity[i] * t * m->reach + m->gravity[i] * t * t / 2;
+        const double step = fabs(velocity[i]) * h + fabs(m->gravity[i]) * t * h;
         if (!CHECK_NEAR(mean(last, i) - mean(first, i), want, step))
             printf("  %s, component %d\n", m->name, i);
     }

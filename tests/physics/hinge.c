@@ -6,6 +6,7 @@
 #include <float.h>
 
 #include "models/solid/solid_model.h"
+#include "models/mechanics/supports.h"
 #include "tests/opened_run.h"
 
 enum { MOST = 12, STEPS = 4, LINE = 5 };
@@ -198,8 +199,32 @@ static void check_modes(const struct row *row, const char *basis)
     }
 }
 
+/* A support holds all of the thickness, its middle alone, or a part that reaches a face. */
+static void check_parts(void)
+{
+    static const struct {
+        double lo, hi;
+        enum supports_columns kind;
+    } parts[] = {{0, 1, SUPPORTS_WHOLE},
+                 {0.4, 0.6, SUPPORTS_HINGED},
+                 {0, 0.6, SUPPORTS_LAYERED},
+                 {0.4, 1, SUPPORTS_LAYERED},
+                 {0.6, 0.9, SUPPORTS_LAYERED}};
+
+    for (size_t n = 0; n < sizeof parts / sizeof *parts; n++) {
+        const struct scene_support part = {
+            .lo = {0, 0, parts[n].lo}, .hi = {0, 1, parts[n].hi}, .fix = FIX_XYZ};
+        struct scene scene;
+        REQUIRE(scene_init(&scene) == STATUS_OK);
+        REQUIRE(scene_add_support(&scene, &part) == STATUS_OK);
+        CHECK(supports_columns(&scene) == parts[n].kind);
+        scene_clear(&scene);
+    }
+}
+
 int main(void)
 {
+    check_parts();
     for (size_t n = 0; n < sizeof rows / sizeof *rows; n++) {
         const struct row *row = &rows[n];
         check_line(row);

@@ -313,11 +313,16 @@ static void check_doubt(void)
         double first, second, solid, shell, difference; /* first, second: the bar       */
         bool alone;
         const char *since; /* "": no doubt */
-    } rows[] = {{.01, .09, .03, .02, .09, false, ""},
-                {.01, .11, .03, .02, .11, false, "from 0.2 s"},
-                {.11, .01, .03, .02, .01, false, "from 0.1 s"},
-                {.01, .12, .12, INFINITY, 0, true, "from 0.2 s"},
-                {.01, .02, .02, INFINITY, 0, true, ""}};
+    } rows[] = {
+        {.01, .09, .03, .02, .09, false, ""},
+        {.01, .11, .03, .02, .11, false,
+         "from 0.2 s on: there solid and shell are 5.5 % of the length apart, and their "
+         "own bars are 1.5 % and 1 %."},
+        {.11, .01, .03, .02, .01, false,
+         "from 0.1 s on: there solid and shell are 0.5 % of"},
+        {.01, .12, .12, INFINITY, 0, true,
+         "from 0.2 s on: one model alone was run, and its own bar is 6 % of the length"},
+        {.01, .02, .02, INFINITY, 0, true, ""}};
     struct scene sheet;
 
     REQUIRE(scene_init(&sheet) == STATUS_OK);

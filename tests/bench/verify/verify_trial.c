@@ -74,9 +74,11 @@ static void check_endings(void)
 
         reset();
         script.create = e->create, script.equilibrium = e->equilibrium;
+        const double before = clock_now();
         struct verify_trial t = verify_trial_of(&s, SCENE, "tip %d", 5);
         CHECK(verify_trial_tip(&t, xyz) == lives && t.lived == lives);
         CHECK(t.row->verdict == e->verdict && !strcmp(t.row->quantity, "tip 5"));
+        CHECK(t.row->seconds >= 0 && t.row->seconds <= clock_now() - before);
         CHECK(sheet.status == e->sheet);
         CHECK(!lives || sheet.status != STATUS_OK || fabs(xyz[2] - 7 * MILLI) < TINY);
         if (!CHECK(!*t.row->note == !e->noted))

@@ -1,153 +1,75 @@
 #include "fem_ref/reference.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "models/reader/input_file.h"
+#include "models/reader/csv.h"
 #include "models/reader/named_file.h"
 
-/* A line of cells, each with a NUL at its end, one behind the other. */
-struct line {
-    char *cells;
-    int number; /* in the file                                                          */
-};
-
-/* Lines and comments point into the text of the whole file, and have room for all of it. */
 struct reference {
-    char *path, *text;
-    char **comment; /* [comments] without the #                                         */
-    struct line names, *row; /* [rows]                                                  */
-    int comments, columns, rows;
+    char *path;
+    struct csv csv; /* of one table */
+    const struct csv_table *table;
+    size_t size[2]; /* of its caption and its notes, whose lines end with a NUL each    */
     struct message *fault; /* of the first wrong query; ""                              */
 };
 
-/* Reads up to the first byte 0, which no table has. */
-static enum status slurp(const char *path, char **text, struct message *why)
+static const char *names_fault(const struct csv_table *t)
 {
-    const char *reason;
-    FILE *file = input_file_open(path, &reason);
-    size_t room = 0;
-    enum status st = STATUS_OK;
-
-    if (!file)
-        return status_fail(why, STATUS_FILE, "%s: %s", path, reason);
-    const ssize_t size = getdelim(text, &room, '\0', file);
-    if (size < 0 && !feof(file))
-        st = status_fail(why, STATUS_FILE, "%s: cannot be read", path);
-    else if (size < 0)
-        st = status_fail(why, STATUS_INPUT, "%s: no rows", path);
-    else if (strlen(*text) != (size_t)size)
-        st = status_fail(why, STATUS_INPUT, "%s: not a text file", path);
-    fclose(file);
-    return st;
-}
-
-static const char *next_cell(const char *cell)
-{
-    return cell + strlen(cell) + 1;
-}
-
-/* Cuts a line at its commas in place; returns how many cells it has. */
-static int split(char *line)
-{
-    int count = 1;
-
-    for (; (line = strchr(line, ',')); count++)
-        *line++ = '\0';
-    return count;
-}
-
-static const char *cell_fault(const char *cell)
-{
-    size_t n = strlen(cell);
-    if (strchr(cell, '"'))
-        return "quotes are not part of the format";
-    if (n && (strchr(" \t", cell[0]) || strchr(" \t", cell[n - 1])))
-        return "blanks around a cell";
-    return NULL;
-}
-
-static const char *names_fault(const struct reference *t)
-{
-    const char *name = t->names.cells;
-
-    for (int i = 0; i < t->columns; i++, name = next_cell(name)) {
-        if (!*name)
+    for (int i = 0; i < t->columns; i++) {
+        if (!*t->cell[i])
             return "a column without a name";
-        if (reference_column(t, name) < i)
+        if (csv_column(t, t->cell[i]) < i)
             return "two columns of one name";
     }
     return NULL;
 }
 
-/* Takes a line; returns NULL, or what is wrong with it. */
-static const char *take_line(struct reference *t, char *text, int number)
+/* Refuses what is no reference table: they were made by a program, and are whole. */
+static enum status check(const struct csv *csv, const char *path, struct message *why)
 {
-    const struct line line = {text, number};
-    const char *fault = NULL, *cell = text;
-    const bool names = !t->columns;
+    const struct csv_table *t = csv->table;
 
-    if (!*text)
-        return "a blank line";
-    if (*text == '#') {
-        t->comment[t->comments++] = text + 1;
-        return NULL;
+    if (!csv->count || !t->rows)
+        return status_fail(why, STATUS_INPUT, "%s: no rows", path);
+    if (csv->count > 1)
+        return status_fail(why, STATUS_INPUT, "%s:%d: a blank line", path,
+                           t[1].line[0] - 1);
+    if (!csv->whole)
+        return status_fail(why, STATUS_INPUT, "%s: the last line has no end: cut short?",
+                           path);
+    const char *fault = names_fault(t);
+    if (fault)
+        return status_fail(why, STATUS_INPUT, "%s:%d: %s", path, t->line[0], fault);
+    for (int n = 0; n < (t->rows + 1) * t->columns; n++) {
+        const size_t size = strlen(t->cell[n]);
+        if (size && (strchr(" \t", t->cell[n][0]) || strchr(" \t", t->cell[n][size - 1])))
+            return status_fail(why, STATUS_INPUT, "%s:%d: blanks around a cell", path,
+                               t->line[n / t->columns]);
     }
-    const int count = split(text);
-    if (names)
-        t->names = line, t->columns = count;
-    else
-        t->row[t->rows++] = line;
-    if (count != t->columns)
-        return count < t->columns ? "too few cells" : "too many cells";
-    for (int i = 0; i < count && !fault; i++, cell = next_cell(cell))
-        fault = cell_fault(cell);
-    return fault || !names ? fault : names_fault(t);
+    return STATUS_OK;
 }
 
-static enum status parse(struct reference *t, const char *path, struct message *why)
+/* Ends each line with a NUL; returns the size of all. */
+static size_t cut_lines(char *text)
 {
-    char *next = t->text;
-    size_t lines = 1;
-    int line = 1;
+    const size_t size = strlen(text);
 
-    for (const char *at = t->text; (at = strchr(at, '\n')); at++)
-        lines++;
-    t->comment = calloc(lines, sizeof *t->comment);
-    t->row = calloc(lines, sizeof *t->row);
-    if (!t->comment || !t->row)
-        return STATUS_MEMORY;
-    for (; *next; line++) {
-        char *end = strchr(next, '\n');
-        const char *fault = end ? NULL : "the last line has no end: cut short?";
-        if (end) {
-            *end = 0;
-            if (end > next && end[-1] == '\r')
-                end[-1] = 0;
-            fault = take_line(t, next, line);
-        }
-        if (fault)
-            return status_fail(why, STATUS_INPUT, "%s:%d: %s", path, line, fault);
-        next = end + 1;
-    }
-    if (!t->rows)
-        return status_fail(why, STATUS_INPUT, "%s: no rows", path);
-    return STATUS_OK;
+    while ((text = strchr(text, '\n')))
+        *text++ = '\0';
+    return size;
 }
 
 void reference_close(struct reference *t)
 {
     if (!t)
         return;
+    csv_clear(&t->csv);
     free(t->path);
     free(t->fault);
-    free(t->text);
-    free(t->comment);
-    free(t->row);
     free(t);
 }
 
@@ -161,8 +83,11 @@ enum status reference_open(const char *path, struct reference **table, struct me
     t->path = strdup(path);
     t->fault = calloc(1, sizeof *t->fault);
     TRY(t->path && t->fault ? STATUS_OK : STATUS_MEMORY);
-    TRY(slurp(path, &t->text, why));
-    TRY(parse(t, path, why));
+    TRY(csv_read(path, &t->csv, why));
+    TRY(check(&t->csv, path, why));
+    t->table = t->csv.table;
+    t->size[0] = cut_lines(t->table->caption);
+    t->size[1] = cut_lines(t->table->notes);
     *table = t, t = NULL;
 out:
     reference_close(t);
@@ -171,17 +96,12 @@ out:
 
 int reference_rows(const struct reference *t)
 {
-    return t->rows;
+    return t->table->rows;
 }
 
 int reference_column(const struct reference *t, const char *name)
 {
-    const char *own = t->names.cells;
-
-    for (int i = 0; i < t->columns; i++, own = next_cell(own))
-        if (!strcmp(own, name))
-            return i;
-    return -1;
+    return csv_column(t->table, name);
 }
 
 /* Notes the first wrong query: the others mostly follow from it. */
@@ -206,22 +126,14 @@ enum status reference_fault(const struct reference *t, struct message *why)
 
 const char *reference_text(const struct reference *t, int row, const char *column)
 {
-    const int c = reference_column(t, column);
-    const char *cell;
+    const int c = reference_column(t, column), rows = t->table->rows;
 
-    if (c < 0) {
-        blame(t, t->names.number, "there is no column '%s'", column);
-        return "";
-    }
-    if (row < 0 || row >= t->rows) {
-        blame(t, t->row[t->rows - 1].number,
-              "the last of %d rows, but there should be a row %d", t->rows, row + 1);
-        return "";
-    }
-    cell = t->row[row].cells;
-    for (int i = 0; i < c; i++)
-        cell = next_cell(cell);
-    return cell;
+    if (c < 0)
+        blame(t, t->table->line[0], "there is no column '%s'", column);
+    else if (row < 0 || row >= rows)
+        blame(t, t->table->line[rows], "the last of %d rows, but there should be a row %d",
+              rows, row + 1);
+    return csv_words(t->table, row, c);
 }
 
 double reference_number(const struct reference *t, int row, const char *column)
@@ -236,14 +148,14 @@ double reference_number(const struct reference *t, int row, const char *column)
         number = strtod(text, &end);
     if (end && !*end && isfinite(number))
         return number;
-    blame(t, t->row[row].number, "%s is '%.40s', but must be a number", column, text);
+    blame(t, t->table->line[row + 1], "%s is '%.40s', but must be a number", column, text);
     return NAN;
 }
 
 int reference_find(const struct reference *t, int from, const char *column,
                    const char *text)
 {
-    for (int row = from < 0 ? 0 : from; row < t->rows; row++)
+    for (int row = from < 0 ? 0 : from; row < t->table->rows; row++)
         if (!strcmp(reference_text(t, row, column), text))
             return row;
     return -1;
@@ -251,12 +163,15 @@ int reference_find(const struct reference *t, int from, const char *column,
 
 const char *reference_note(const struct reference *t, const char *key)
 {
+    const char *const lines[] = {t->table->caption, t->table->notes};
     const size_t n = strlen(key);
-    for (int i = 0; i < t->comments; i++) {
-        const char *at = t->comment[i] + strspn(t->comment[i], " \t");
-        if (!strncmp(at, key, n) && at[n] == ':')
-            return at + n + 1 + strspn(at + n + 1, " \t");
-    }
+
+    for (int i = 0; i < 2; i++)
+        for (const char *at = lines[i]; at <= lines[i] + t->size[i]; at += strlen(at) + 1) {
+            const char *word = at + strspn(at, " \t");
+            if (!strncmp(word, key, n) && word[n] == ':')
+                return word + n + 1 + strspn(word + n + 1, " \t");
+        }
     return NULL;
 }
 

@@ -2,9 +2,9 @@
  * printed elsewhere, with their provenance.
  *
  * Format: UTF-8 text. First comment lines, `#` in column 1; then one line of distinct
- * column names; then rows with exactly as many cells, separated by commas. No quotes, no
- * blanks around cells, no blank lines; comments are allowed between rows. A cell is text,
- * a number or empty. A comment `# key: value` is a note.
+ * column names; then rows with exactly as many cells, separated by commas
+ * (models/reader/csv.h). No blanks around cells, no blank lines; comments are allowed
+ * between rows. A cell is text, a number or empty. A comment `# key: value` is a note.
  */
 #ifndef REFERENCE_H
 #define REFERENCE_H

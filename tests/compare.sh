@@ -59,19 +59,15 @@ grep -Eq "^compare: ([0-9]+) of \1 cases were taken from $folder/stopped$" "$fol
 "$program" "${again[@]}" --set material.density=2e-4 >/dev/null 2>"$folder.log" || fail "other settings"
 grep -q "were taken" "$folder.log" && fail "cases of other settings are taken"
 
-# A budget that pays for little runs little; two threads give the same bits; both again from files.
+# A budget that pays for little runs little, and again from files.
 two=("${light[@]}" --models "mass_spring_single,iga_selective_3")
-twice() { # NAME, ARGUMENTS
-    "$program" "${two[@]}" "${@:2}" --out "$folder/$1" >"$folder.txt" 2>"$folder.log" || { cat "$folder.log"; fail "$1"; }
-    "$program" "${two[@]}" "${@:2}" --from "$folder/$1" >"$folder.again" 2>>"$folder.log" || fail "--from of $1"
-    cmp -s "$folder.txt" "$folder.again" || fail "--from prints something else of $1"
-}
-twice thrifty --budget 1e-6
+for from in out from; do
+    "$program" "${two[@]}" --budget 1e-6 "--$from" "$folder/thrifty" >"$folder.$from" 2>"$folder.log" ||
+        { cat "$folder.log"; fail "a budget, --$from"; }
+done
+cmp -s "$folder.out" "$folder.from" || fail "--from prints something else"
 awk -F, "$rows"' { n++; if ($at["model_bytes"] == "") bad++ } END { exit !(n == 2 && !bad) }' "$folder/thrifty/compare.csv" ||
     fail "a budget that is not kept, or no memory"
-twice threads --threads "1,2"
-awk -F, 'NR > 1 { n++; if ($NF != "yes" || !($(NF - 2) > 0)) bad++ } END { exit !(n >= 2 && !bad) }' \
-    "$folder/threads/compare_threads.csv" || fail "two threads"
 
 # The search goes to strips, whose files are called by both numbers of points; of a folder from
 # before that, which has none of them, the rest is told.
@@ -134,9 +130,6 @@ edge_drop --from $folder
 edge_drop --budget 0
 edge_drop --budget 3m
 edge_drop --longest -1
-edge_drop --threads 1,,2
-edge_drop --threads 2,2
-edge_drop --threads 0
 edge_drop --format words
 edge_drop --set material.yung=1
 END

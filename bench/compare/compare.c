@@ -134,22 +134,19 @@ enum status compare_job_truth(struct compare_job *j, const struct truth_wish *wi
 
 /* --- runs --- */
 
-/* Adds a row's run to a batch. Its file is named after the points along u, the steps, the
- * iterations and the threads beyond one; after the points across, too, where cells are not
- * about square. */
-static void plan_row(struct compare_job *j, const struct contest_row *row, int threads,
+/* Adds a row's run to a batch. Its file is named after the points along u, the steps and
+ * the iterations; after the points across, too, where cells are not about square. */
+static void plan_row(struct compare_job *j, const struct contest_row *row,
                      struct batch *batch)
 {
     const struct contest_at *at = &row->at;
     const int along = at->size[CONTEST_NET], across = at->size[CONTEST_ACROSS];
-    char name[128], more[16] = "", tag[16] = "";
+    char name[128], more[16] = "";
 
     if (across != contest_across(&j->contest, at->contestant, along))
         snprintf(more, sizeof more, "x%d", across);
-    if (threads > 1)
-        snprintf(tag, sizeof tag, "_t%d", threads);
-    snprintf(name, sizeof name, "%s_%d%s_%d_%d%s", at->contestant->name, along, more,
-             at->size[CONTEST_STEP], at->size[CONTEST_ITERATIONS], tag);
+    snprintf(name, sizeof name, "%s_%d%s_%d_%d", at->contestant->name, along, more,
+             at->size[CONTEST_STEP], at->size[CONTEST_ITERATIONS]);
     struct case_plan *c = batch_add(batch, j->path, at->contestant, name);
     c->end = j->time[j->times - 1];
     c->keep.times = j->times;
@@ -186,7 +183,7 @@ enum status compare_job_rows(void *job, int first, struct message *why)
 
     TRY(batch_init(&batch, j->folder, c->count - first));
     for (int n = first; n < c->count; n++)
-        plan_row(j, &c->rows[n], 1, &batch);
+        plan_row(j, &c->rows[n], &batch);
     if (!j->read_only)
         late = run_batch(j, &batch, &said);
     if (late != STATUS_LATE && late != STATUS_OK)
@@ -209,37 +206,6 @@ out:
     return st;
 }
 
-/* Times the best rows once more with a number of threads. */
-static enum status measure_team(struct compare_job *j, int team, struct message *why)
-{
-    struct contest *c = &j->contest;
-    struct batch batch;
-    int at = 0;
-    enum status st;
-
-    TRY(batch_init(&batch, j->folder, c->count));
-    for (int n = 0; n < c->count; n++)
-        if (contest_is_best(c, &c->rows[n]))
-            plan_row(j, &c->rows[n], c->team[team], &batch);
-    timing_threads(c->team[team]);
-    if (!j->read_only)
-        TRY(run_batch(j, &batch, why));
-    for (int n = 0; n < c->count; n++) {
-        struct run_result r = {0};
-        if (!contest_is_best(c, &c->rows[n]))
-            continue;
-        const char *file = batch.cases[at++].keep.file;
-        if (j->read_only && access(file, F_OK) != 0)
-            TRY(status_fail(why, STATUS_LATE, "%s is not there", file));
-        TRY(run_result_read(file, true, &r, why));
-        contest_fill_team(c, team, &r, &c->rows[n]);
-        run_result_clear(&r);
-    }
-out:
-    batch_clear(&batch);
-    return st;
-}
-
 static enum status measure_all(struct compare_job *j, struct message *why)
 {
     struct contest *c = &j->contest;
@@ -256,8 +222,8 @@ out:
 }
 
 /* Runs and times the ladder, the rows that it makes worth a try (contest_search_all), then,
- * untimed, those that tell the limits of each, and the best again with more threads; or as
- * much of that as the budget has time for. */
+ * untimed, those that tell the limits of each; or as much of that as the budget has time
+ * for. */
 static enum status compare_job_measure(struct compare_job *j, struct message *why)
 {
     struct contest *c = &j->contest;
@@ -266,20 +232,15 @@ static enum status compare_job_measure(struct compare_job *j, struct message *wh
     const int all = c->count;
 
     contest_drop_absent(c);
-    contest_choose_best(c);
-    for (int t = 0; t < c->teams && st == STATUS_OK; t++)
-        st = measure_team(j, t, &said);
     if (st == STATUS_LATE) {
         fprintf(stderr, "compare: %s; %d of %d runs were skipped\n", said.text,
                 all - c->count, all);
-        c->teams = 0;
         contest_tell_unsearched(c);
     } else {
         TRY(st ? status_fail(why, st, "%s", said.text) : st);
     }
 out:
     measurement_tell("compare", &j->taken, j->folder);
-    timing_threads(1);
     return st;
 }
 
@@ -569,70 +530,6 @@ static enum status print_limits(const struct contest *c, struct printer *p,
     return printer_table(p, t, "compare_limits", why);
 }
 
-/* --- more threads --- */
-
-/* Strings that the columns of the table of threads borrow. */
-struct team_words {
-    char header[CONTEST_TEAMS][16], key[CONTEST_TEAMS][24], ratio[CONTEST_TEAMS][24];
-};
-
-static struct dataset *create_teams(const struct contest *c, struct team_words *w)
-{
-    struct dataset_column columns[9 + 2 * CONTEST_TEAMS + 1] = {
-        {"model", .key = "title"},
-        {"contestant", .readers = DATASET_MACHINES},
-        {"side", .readers = DATASET_MACHINES},
-        {"across", .readers = DATASET_MACHINES},
-        {"net", .readers = DATASET_PEOPLE},
-        {"step", "ms", .key = "step_s", .key_unit = "s", .scale = 1e3},
-        {"iterations"},
-        {"error", "%", .key = "worst_rmse_over_length", .key_unit = "1", .scale = 100},
-        {"1 thread", "s", .key = "seconds_1_thread"}};
-    int count = 9;
-
-    for (int t = 0; t < c->teams; t++) {
-        snprintf(w->header[t], sizeof w->header[t], "%d threads", c->team[t]);
-        snprintf(w->key[t], sizeof w->key[t], "seconds_%d_threads", c->team[t]);
-        snprintf(w->ratio[t], sizeof w->ratio[t], "times_%d_threads", c->team[t]);
-        columns[count++] = (struct dataset_column){w->header[t], "s", .key = w->key[t]};
-        columns[count++] = (struct dataset_column){"times", .key = w->ratio[t]};
-    }
-    columns[count++] = (struct dataset_column){"same bits"};
-    return dataset_create(count, columns,
-                          "The best runs again with more threads, set-up and stepping");
-}
-
-static void add_best(struct dataset *t, const struct contest *c,
-                     const struct contest_row *r)
-{
-    dataset_line(t, "%s|%s", r->at.contestant->title, r->at.contestant->name);
-    add_net(t, c, r->at.size);
-    dataset_add(t, "%.2g|%.3g", r->worst, r->seconds);
-    for (int n = 0; n < c->teams; n++)
-        dataset_add(t, "%.3g|%.2g", r->team_seconds[n], r->team_seconds[n] / r->seconds);
-    dataset_add(t, "%s", r->parted ? "no" : "yes");
-}
-
-static enum status print_teams(const struct contest *c, struct printer *p,
-                               struct message *why)
-{
-    const struct contestant *who;
-    struct team_words words;
-    struct dataset *t = create_teams(c, &words);
-    for (int k = 0; (who = contest_entrant(c, k)); k++)
-        for (int n = 0; n < c->count; n++)
-            if (c->rows[n].at.contestant == who && contest_is_best(c, &c->rows[n]))
-                add_best(t, c, &c->rows[n]);
-    if (isfinite(c->team_longest))
-        dataset_note(
-            t, "These are the runs that take up to %.2g s, as far as the budget allows.",
-            c->team_longest);
-    dataset_note(
-        t, "The column `times` is the ratio to the seconds on one thread. `Same bits` "
-           "means that all errors are the same numbers with every number of threads.");
-    return printer_table(p, t, "compare_threads", why);
-}
-
 enum status compare_print(const struct contest *c, struct printer *p, struct message *why)
 {
     enum status st;
@@ -642,13 +539,11 @@ enum status compare_print(const struct contest *c, struct printer *p, struct mes
         return st;
     TRY(print_targets(c, p, why));
     TRY(print_limits(c, p, why));
-    if (c->teams)
-        TRY(print_teams(c, p, why));
 out:
     return st;
 }
 
-enum { MOST_SCENES = 16, MOST_THREADS = 256 };
+enum { MOST_SCENES = 16 };
 
 /* Seconds that a run which the search proposes may take, unless --longest says another. */
 static const double LONGEST = 3;
@@ -670,29 +565,6 @@ static enum status read_longest(struct contest *c, const struct command_line *li
     return STATUS_OK;
 }
 
-/* Reads --threads, as "1,2,4"; all is timed with one thread anyway. */
-static enum status read_threads(struct contest *c, const struct command_line *line,
-                                struct message *why)
-{
-    const char *word = command_value(line, "--threads");
-    char *end = NULL;
-
-    for (const char *at = word; at; at = *end ? end + 1 : NULL) {
-        const long count = strtol(at, &end, 10);
-        bool good = end > at && (!*end || *end == ',') && count >= 1;
-        for (int t = 0; t < c->teams; t++)
-            good &= c->team[t] != count;
-        if (!good || count > MOST_THREADS || (count > 1 && c->teams == CONTEST_TEAMS))
-            return status_fail(why, STATUS_INPUT,
-                               "--threads %s: up to %d different numbers from 1 to %d, as "
-                               "1,2,4",
-                               word, CONTEST_TEAMS, MOST_THREADS);
-        if (count > 1)
-            c->team[c->teams++] = (int)count;
-    }
-    return STATUS_OK;
-}
-
 /* Reads a scene and the options; nothing is run. */
 static enum status prepare(struct compare_job *j, const struct command_line *line,
                            const char *scene, struct message *why)
@@ -709,7 +581,6 @@ static enum status prepare(struct compare_job *j, const struct command_line *lin
     TRY(compare_job_open(j, scene, until, why));
     TRY(read_longest(&j->contest, line, why));
     TRY(command_number(line, "--budget", false, &j->contest.budget, why));
-    TRY(read_threads(&j->contest, line, why));
 out:
     return st;
 }
@@ -861,7 +732,6 @@ static const struct command_option options[] = {
     {"--budget", "SECONDS", false,
      "time for all runs of a scene together (no limit); cheap\n"
      "ones go first, and what is left out is printed"},
-    {"--threads", "N,N,...", false, "time the best runs again with so many threads (1)"},
     {"--format", PRINTER_FORMATS, false, "output format (text)"},
     {"--out", "DIR", false,
      "folder of result files and CSV\n"

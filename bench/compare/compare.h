@@ -51,9 +51,9 @@ enum status compare_job_rows(void *job, int first, struct message *why);
 
 /* --- what is printed --- */
 
-/* Prints the table of all runs, what each contestant needs for given errors, what limits
- * it, and the best rows with each number of threads, if there are any; as compare.csv,
- * compare_targets.csv, compare_limits.csv and compare_threads.csv in the folder, too. */
+/* Prints the table of all runs, what each contestant needs for given errors, and what
+ * limits it; as compare.csv, compare_targets.csv and compare_limits.csv in the folder, too.
+ */
 enum status compare_print(const struct contest *c, struct printer *p, struct message *why);
 
 #endif

@@ -213,16 +213,6 @@ void contest_fill(const struct contest *c, const struct run_result *r,
     row->result.scene = (struct scene){0};
 }
 
-void contest_fill_team(const struct contest *c, int team, const struct run_result *r,
-                       struct contest_row *row)
-{
-    struct contest_row other = *row;
-
-    contest_fill(c, r, &other);
-    row->team_seconds[team] = other.seconds;
-    row->parted |= memcmp(other.error, row->error, sizeof row->error) != 0;
-}
-
 const struct contestant *contest_entrant(const struct contest *c, int k)
 {
     for (int n = 0; n < c->count; n++) {
@@ -297,18 +287,6 @@ const struct contest_row *contest_within(const struct contest *c,
                                          const struct contestant *who, double seconds)
 {
     return least(c, who, true, INFINITY, seconds);
-}
-
-bool contest_is_best(const struct contest *c, const struct contest_row *row)
-{
-    const struct contestant *who = row->at.contestant;
-    bool best = row == contest_nearest(c, who);
-
-    if (!(row->seconds <= c->team_longest))
-        return false;
-    for (int n = 0; n < CONTEST_TARGETS; n++)
-        best |= row == contest_cheapest(c, who, contest_target[n]);
-    return best;
 }
 
 bool contest_on_front(const struct contest *c, const struct contest_row *row)
@@ -831,22 +809,4 @@ void contest_search_limits(struct contest *c)
     }
     add_payable(c, &t, c->budget, true);
     arena_clear(&t.arena);
-}
-
-void contest_choose_best(struct contest *c)
-{
-    double spent = 0, longest = 0, next = 0;
-
-    c->team_longest = INFINITY;
-    if (!(c->budget > 0))
-        return;
-    while (spent <= (1 - SHARE) * c->budget && next < INFINITY) {
-        longest = next;
-        next = INFINITY;
-        for (int n = 0; n < c->count; n++)
-            if (c->rows[n].seconds > longest && contest_is_best(c, &c->rows[n]))
-                next = fmin(next, c->rows[n].seconds);
-        spent += next * (1 + timing_repeats(next, c->quick));
-    }
-    c->team_longest = longest;
 }

@@ -12,7 +12,6 @@
 enum {
     CONTEST_TIMES = 5,
     CONTEST_TARGETS = 5,
-    CONTEST_TEAMS = 4,
     CONTEST_RUNGS = CONTESTANT_STEPS * CONTESTANT_STEPS * CONTESTANT_STEPS
 };
 
@@ -40,12 +39,10 @@ struct contest_row {
     struct contest_at at;
     bool probe;  /* run to see what limits, not timed: no more is read off it      */
     bool absent; /* was not run, and goes at the end of the search                 */
-    struct run_result result;           /* without fields and scene                       */
-    double seconds;                     /* set-up and stepping, medians; NaN: not timed   */
-    double error[CONTEST_TIMES];        /* RMSE / L at each time; NaN after a death       */
-    double worst;                       /* largest of them; NaN after a death             */
-    double team_seconds[CONTEST_TEAMS]; /* with so many threads; 0: not timed      */
-    bool parted;                        /* more threads gave other errors          */
+    struct run_result result;    /* without fields and scene                       */
+    double seconds;              /* set-up and stepping, medians; NaN: not timed   */
+    double error[CONTEST_TIMES]; /* RMSE / L at each time; NaN after a death       */
+    double worst;                /* largest of them; NaN after a death             */
 };
 
 struct contest {
@@ -57,7 +54,7 @@ struct contest {
     struct contest_row *rows; /* [count], in any order: more may be added           */
     struct arena arena; /* of the rows                                          owned */
 
-    /* Settings of the search, and of timing again with more threads. */
+    /* Settings of the search. */
     bool quick;            /* the cheap half of each ladder                         */
     double longest;        /* seconds that a run which is searched for may take     */
     double budget;         /* seconds of all runs together; 0: as long as it takes  */
@@ -67,9 +64,6 @@ struct contest {
      * points, steps and iterations, whatever the clock says. */
     bool advises;
     double cells; /* the longest cells, over their width; 0: any                    */
-
-    int teams, team[CONTEST_TEAMS]; /* numbers of threads beyond one                */
-    double team_longest; /* rows that take longer are not timed again [s]           */
 };
 
 /* Returns the points along v that go with so many along u: for cells about as long as wide,
@@ -115,11 +109,6 @@ void contest_drop_absent(struct contest *c);
 void contest_fill(const struct contest *c, const struct run_result *r,
                   struct contest_row *row);
 
-/* Takes a row's seconds from a run with the threads of a team, and notes whether its errors
- * are the same. */
-void contest_fill_team(const struct contest *c, int team, const struct run_result *r,
-                       struct contest_row *row);
-
 /* Returns the k-th contestant in the order of the rows; NULL past the last. */
 const struct contestant *contest_entrant(const struct contest *c, int k);
 
@@ -136,10 +125,6 @@ const struct contest_row *contest_cheapest(const struct contest *c,
                                            const struct contestant *who, double target);
 const struct contest_row *contest_within(const struct contest *c,
                                          const struct contestant *who, double seconds);
-
-/* Returns whether a row is timed again with more threads: the nearest of its contestant, or
- * cheapest within one of contest_target, and no longer than team_longest. */
-bool contest_is_best(const struct contest *c, const struct contest_row *row);
 
 /* Returns whether no timed row of its contestant is cheaper and as good: the line that a
  * chart draws. */
@@ -240,9 +225,5 @@ double contest_spent(const struct contest *c);
 
 /* Fills c->unsearched. */
 void contest_tell_unsearched(struct contest *c);
-
-/* Sets team_longest: within a budget to as many of the best rows, the cheapest, as a fifth
- * more of it pays for each number of threads; else to all. */
-void contest_choose_best(struct contest *c);
 
 #endif

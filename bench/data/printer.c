@@ -7,15 +7,14 @@
 
 enum status printer_format(const char *word, enum table_format *format, struct message *why)
 {
-    static const char *const names[] = {"text", "csv", "markdown", "latex", "json"};
+#define NAME(code, word) #word,
+    static const char *const names[] = {TABLE_FORMATS(NAME)};
 
-    for (int n = 0; n <= TABLE_JSON; n++)
-        if (!strcmp(word, names[n])) {
-            *format = (enum table_format)n;
+    for (*format = 0; *format < TABLE_KINDS; ++*format)
+        if (!strcmp(word, names[*format]))
             return STATUS_OK;
-        }
-    return status_fail(why, STATUS_INPUT,
-                       "--format %s: a format is text, csv, markdown, latex or json", word);
+    return status_fail(why, STATUS_INPUT, "--format %s: a format is one of %s", word,
+                       PRINTER_FORMATS);
 }
 
 bool printer_is_prose(const struct printer *p)

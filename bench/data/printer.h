@@ -8,7 +8,8 @@
 #include "bench/data/wrap.h"
 
 /* The values of --format, for tables of options. */
-#define PRINTER_FORMATS "text|csv|markdown|latex|json"
+#define PRINTER_WORD(code, word) "|" #word
+#define PRINTER_FORMATS          (TABLE_FORMATS(PRINTER_WORD) + 1)
 
 struct printer {
     enum table_format format;

@@ -416,11 +416,8 @@ static void print_latex(const struct dataset *t, FILE *file)
 
 enum status table_print(const struct dataset *t, enum table_format format, FILE *file)
 {
-    static void (*const print[])(const struct dataset *, FILE *) = {
-        [TABLE_TEXT] = print_text,         [TABLE_CSV] = print_csv,
-        [TABLE_MARKDOWN] = print_markdown, [TABLE_LATEX] = print_latex,
-        [TABLE_JSON] = print_json,
-    };
+#define PRINT(code, word) print_##word,
+    static void (*const print[])(const struct dataset *, FILE *) = {TABLE_FORMATS(PRINT)};
 
     print[format](t, file);
     return ferror(file) ? STATUS_FILE : STATUS_OK;

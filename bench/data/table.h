@@ -9,7 +9,11 @@
 #include "bench/data/dataset.h"
 #include "models/status.h"
 
-enum table_format { TABLE_TEXT, TABLE_CSV, TABLE_MARKDOWN, TABLE_LATEX, TABLE_JSON };
+/* The formats: code, and the word for it, by which table.c finds its function. */
+#define TABLE_FORMATS(X)                                                                   \
+    X(TEXT, text) X(CSV, csv) X(MARKDOWN, markdown) X(LATEX, latex) X(JSON, json)
+#define TABLE_CODE(code, word) TABLE_##code,
+enum table_format { TABLE_FORMATS(TABLE_CODE) TABLE_KINDS };
 
 /* Prints it. In JSON it is an object {"caption", "units": {KEY: UNIT}, "rows": [{KEY:
  * VALUE}], "notes"}. STATUS_FILE if the stream fails (it is not flushed). */

@@ -29,13 +29,21 @@ static bool ends(const char *name, const char *ending)
     return length > tail && !strcmp(name + length - tail, ending);
 }
 
+/* The endings of names, and their readers, each in a file of its own. */
+#define READERS(X)                                                                         \
+    X(csv, csv)                                                                            \
+    X(npz, moving)                                                                         \
+    X(npy, moving)                                                                         \
+    X(h5, moving)                                                                          \
+    X(hdf5, moving) X(mdd, cache) X(pc2, cache) X(obj, sequence) X(ply, sequence)
+#define READER(ending, name) extern const struct frames_reader frames_##name;
+READERS(READER)
+
+#define KIND(ending, name) {"." #ending, &frames_##name},
 static const struct {
     const char *ending;
     const struct frames_reader *reader;
-} kinds[] = {
-    {".csv", &frames_csv},   {".npz", &frames_moving},   {".npy", &frames_moving},
-    {".h5", &frames_moving}, {".hdf5", &frames_moving},  {".mdd", &frames_cache},
-    {".pc2", &frames_cache}, {".obj", &frames_sequence}, {".ply", &frames_sequence}};
+} kinds[] = {READERS(KIND)};
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
 static int kind_of(const char *name)

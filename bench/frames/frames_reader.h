@@ -19,8 +19,6 @@ struct frames_reader {
     void (*close)(void *state); /* frees what it holds; NULL: nothing                   */
 };
 
-extern const struct frames_reader frames_csv, frames_moving, frames_cache, frames_sequence;
-
 struct frames {
     char *path;                 /* for sentences; the file, or the folder       owned   */
     struct frames_folder files; /* one, or those of a sequence in their order           */

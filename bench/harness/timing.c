@@ -40,16 +40,6 @@ int timing_processors(void)
     return everywhere_known ? CPU_COUNT(&everywhere) : omp_get_num_procs();
 }
 
-void timing_threads(int count)
-{
-    if (count == 1) {
-        timing_alone();
-        return;
-    }
-    omp_set_num_threads(count);
-    timing_apart();
-}
-
 void timing_clear(struct timing_case *c)
 {
     if (!c)

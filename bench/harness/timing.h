@@ -49,7 +49,4 @@ void timing_apart(void);
 /* Returns the number of processors that the program may use, before timing_alone or now. */
 int timing_processors(void);
 
-/* Allows so many threads, on any processor that was allowed before timing_alone. */
-void timing_threads(int count);
-
 #endif

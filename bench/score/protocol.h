@@ -13,7 +13,7 @@
 #ifndef PROTOCOL_H
 #define PROTOCOL_H
 
-#include "bench/files/csv.h"
+#include "models/reader/csv.h"
 #include "bench/score/score_print.h"
 #include "bench/score/score_stiffness.h"
 

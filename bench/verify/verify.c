@@ -9,7 +9,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include "bench/files/csv.h"
+#include "models/reader/csv.h"
 #include "bench/files/folder.h"
 #include "bench/files/output.h"
 #include "bench/files/provenance.h"

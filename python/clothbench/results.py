@@ -80,7 +80,7 @@ def cells_of(path, text, at, line):
         if at == len(text) or text[at] == "\n":
             return cells, at + 1, line + 1
         if text[at] != ",":
-            raise Bad(f"{path}, line {line}: a quote has no end, or words behind it")
+            raise Bad(f"{path}:{line}: a quote has no end, or words behind it")
         at += 1
 
 def tables(path):
@@ -112,7 +112,7 @@ def tables(path):
             table, caption = Table(" ".join(caption), cells, [], made), []
             found.append(table)
         elif len(cells) != len(table.keys):
-            raise Bad(f"{path}, line {first}: {len(cells)} cells below {len(table.keys)} keys")
+            raise Bad(f"{path}:{first}: {len(cells)} cells below {len(table.keys)} keys")
         else:
             table.rows.append({key: "" if cell == "nan" else cell  # of older results
                                for key, cell in zip(table.keys, cells)})

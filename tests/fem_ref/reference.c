@@ -62,15 +62,15 @@ static void check_refusals(void)
         {TEXT(""), ": no rows"},
         {TEXT("# only words\n"), ": no rows"},
         {TEXT("a,b\n"), ": no rows"},
-        {TEXT("a,b\n1,2\n3\n"), ":3: too few cells"},
-        {TEXT("a,b\n1,2,3\n"), ":2: too many cells"},
-        {TEXT("a,b\n\n1,2\n"), ":2: a blank line"},
+        {TEXT("a,b\n1,2\n3\n"), ":3: 1 cells below 2 keys"},
+        {TEXT("a,b\n1,2,3\n"), ":2: 3 cells below 2 keys"},
+        {TEXT("a,b\n1,2\n\n1,2\n"), ":3: a blank line"},
         {TEXT("a,a\n1,2\n"), ":1: two columns of one name"},
         {TEXT("a,\n1,2\n"), ":1: a column without a name"},
-        {TEXT("a,b\n\"1\",2\n"), ":2: quotes are not part of the format"},
+        {TEXT("a,b\n\"1,2\n"), ":2: a quote has no end, or words behind it"},
         {TEXT("a,b\n1, 2\n"), ":2: blanks around a cell"},
-        {TEXT("a,b\n1,2"), ":2: the last line has no end: cut short?"},
-        {TEXT("a,b\n1,\0002\n"), ": not a text file"},
+        {TEXT("a,b\n1,2"), ": the last line has no end: cut short?"},
+        {TEXT("a,b\n1,\0002\n"), ": has a byte 0 and is no text"},
     };
     struct reference *t = NULL;
     struct message why;

@@ -171,7 +171,7 @@ def test_page_of_others(tmp_path):
     assert found.tags.count("script") == 2 and not found.events and "alert(1)</script><img" not in text
     assert found.tags.count("img") >= 4  # both frames, two charts
     assert "our own statement" in text and "The machine was busy: 1 statement on time is not judged" in text
-    assert "Of the paper’s 1 statements" in text and "line 2: 1 cells below 2 keys" in text
+    assert "Of the paper’s 1 statements" in text and ":2: 1 cells below 2 keys" in text
     assert "root:" not in text and len(text.encode()) < page.PAGE_MOST
     assert "not measured: clothbench compare edge_drop" in text
 

@@ -1,7 +1,7 @@
 /* Tests the numbers that compare reads off scripted runs: errors and seconds of a row, who
  * is nearest and cheapest, each way round, and where each stands in tables and CSV. */
 #include "bench/compare/compare.h"
-#include "bench/files/csv.h"
+#include "models/reader/csv.h"
 #include "tests/contest_fixture.h"
 #include "tests/fresh.h"
 
@@ -33,12 +33,8 @@ static void fill(void)
     CHECK(row.worst == row.error[0]);
     CHECK_NEAR(row.seconds, 0.5 + 20 * 0.01, TOL_SUM);
     CHECK(!row.result.xyz && !row.result.time && row.result.steps == 20);
-    contest_fill_team(&c, 1, &r, &row);
-    CHECK(row.team_seconds[1] == row.seconds && !row.team_seconds[0] && !row.parted);
     double *swap = xyz[0];
     xyz[0] = xyz[1], xyz[1] = swap;
-    contest_fill_team(&c, 0, &r, &row); /* with other bits */
-    CHECK(row.parted);
     contest_fill(&c, &r, &row);
     CHECK(row.worst == row.error[1] && row.error[1] > row.error[0]);
 
@@ -142,12 +138,6 @@ static const struct {
     {"compare_limits.csv", 1,
      "real_time_rmse_over_length=;real_time_side=;lowest_rmse_over_length=1.1;"
      "lowest_iterations=100;limit=unknown"},
-    {"compare_threads.csv", 1,
-     "title=mass-spring, matched;contestant=mass_spring;side=20;across=12;step_s=0.001;"
-     "iterations=;worst_rmse_over_length=0.015;seconds_1_thread=0.21;seconds_2_threads="
-     "0.105;times_2_threads=0.5;seconds_4_threads=0.0525;times_4_threads=0.25;same_bits="
-     "no"},
-    {"compare_threads.csv", 4, "contestant=iga_linear;seconds_1_thread=0.02;same_bits=yes"},
 };
 
 static void check_cells(const struct csv_table *t, int row, const char *cells)
@@ -184,23 +174,12 @@ static char *print(const struct contest *c, const char *folder)
     return text;
 }
 
-/* A budget that was spent, and two and four threads: one row with other bits. */
-static void add_teams(struct contest *c)
-{
-    c->budget = 12, c->team_longest = 1, c->rows[3].parted = true;
-    snprintf(c->unsearched, sizeof c->unsearched, "mass_spring 2");
-    c->teams = 2, c->team[0] = 2, c->team[1] = 4;
-    for (int n = 0; n < c->count; n++)
-        for (int t = 0; t < c->teams; t++)
-            c->rows[n].team_seconds[t] = c->rows[n].seconds / c->team[t];
-}
-
 static void tables(const char *folder)
 {
     struct csv csv;
     struct contest c = race();
     struct message why;
-    add_teams(&c);
+    c.budget = 12;
     char *text = print(&c, folder);
 
     for (int n = 0; n < LENGTH(want); n++) {

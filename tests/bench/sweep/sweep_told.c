@@ -2,7 +2,7 @@
  * (sweep.sh, sweep_ends.sh: the command, files that are damaged or of others.) */
 #include <unistd.h>
 
-#include "bench/files/csv.h"
+#include "models/reader/csv.h"
 #include "bench/files/seal.h"
 #include "bench/sweep/sweep.h"
 #include "tests/fresh.h"

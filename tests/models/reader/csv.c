@@ -1,7 +1,7 @@
 /* Tables that are read back: what is in them, and that what is kept of a command comes back
  * as it was printed. (tests/pages/test_hostile.py: what is refused, and with which
  * sentence.) */
-#include "bench/files/csv.h"
+#include "models/reader/csv.h"
 
 #include <math.h>
 #include <stdio.h>

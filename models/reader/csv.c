@@ -1,4 +1,4 @@
-#include "bench/files/csv.h"
+#include "models/reader/csv.h"
 
 #include <errno.h>
 #include <math.h>
@@ -92,25 +92,41 @@ static bool take_cell(struct reader *r, char **cell, char *after)
     for (r->at += quoted; *r->at; *to++ = *r->at++) {
         if (quoted && *r->at == '"' && *++r->at != '"')
             break;
-        if (!quoted && strchr(",\n\"", *r->at))
+        if (!quoted && (strchr(",\n\"", *r->at) || !strncmp(r->at, "\r\n", 2)))
             break;
         r->line += *r->at == '\n';
     }
+    r->at += *r->at == '\r';
     *after = *r->at;
-    const bool closed = !quoted || r->at[-1] == '"';
+    const bool closed = !quoted || r->at[-1] == '"' || r->at[-2] == '"';
     r->at += *after != '\0';
     *to = '\0';
     return closed && (!*after || strchr(",\n", *after));
 }
 
-static void start_table(struct reader *r)
+/* Gives an array room for one more; it doubles each time. */
+static enum status more(void *array, size_t count, size_t size)
+{
+    if (count & (count - 1)) /* no power of two, nor 0 */
+        return STATUS_OK;
+    void *larger = realloc(*(void **)array, (count ? 2 * count : 1) * size);
+
+    if (!larger)
+        return STATUS_MEMORY;
+    *(void **)array = larger;
+    return STATUS_OK;
+}
+
+static enum status start_table(struct reader *r)
 {
     struct csv *c = r->csv;
 
-    c->table = arena_more(&c->arena, c->table, (size_t)c->count, sizeof *c->table);
+    if (more(&c->table, (size_t)c->count, sizeof *c->table) != STATUS_OK)
+        return STATUS_MEMORY;
     r->table = &c->table[c->count++];
     *r->table = (struct csv_table){.caption = r->caption, .notes = r->end, .rows = -1};
     r->caption = r->end;
+    return STATUS_OK;
 }
 
 /* Takes a line of cells; the first one of a table has its keys. */
@@ -122,18 +138,18 @@ static enum status take_row(struct reader *r, struct message *why)
     enum status st = STATUS_OK;
 
     if (!r->table)
-        start_table(r);
+        TRY(start_table(r));
     struct csv_table *t = r->table;
     const bool keys = t->rows < 0;
     const size_t before = (size_t)(t->rows + 1) * (size_t)t->columns;
     do {
         if (!take_cell(r, &cell, &after))
             TRY(status_fail(why, STATUS_INPUT,
-                            "%s, line %d: a quote has no end, or words behind it", r->path,
+                            "%s:%d: a quote has no end, or words behind it", r->path,
                             line));
         if (keys || count < t->columns) {
             const size_t at = before + (size_t)count;
-            t->cell = arena_more(&r->csv->arena, t->cell, at, sizeof *t->cell);
+            TRY(more(&t->cell, at, sizeof *t->cell));
             t->cell[at] = cell;
         }
         count++;
@@ -141,9 +157,10 @@ static enum status take_row(struct reader *r, struct message *why)
     r->line++;
     t->columns = keys ? count : t->columns;
     if (count != t->columns)
-        TRY(status_fail(why, STATUS_INPUT, "%s, line %d: %d cells below %d keys", r->path,
-                        line, count, t->columns));
-    t->rows++;
+        TRY(status_fail(why, STATUS_INPUT, "%s:%d: %d cells below %d keys", r->path, line,
+                        count, t->columns));
+    TRY(more(&t->line, (size_t)++t->rows, sizeof *t->line));
+    t->line[t->rows] = line;
 out:
     return st;
 }
@@ -151,16 +168,13 @@ out:
 enum status csv_read(const char *path, struct csv *csv, struct message *why)
 {
     struct reader r = {.path = path, .csv = csv, .line = 1};
-    char *text = NULL;
     size_t size = 0;
     enum status st;
 
     *csv = (struct csv){0};
-    st = read_text(path, &text, &size, why);
-    if (text)
-        arena_keep(&csv->arena, text);
-    TRY(st);
-    r.at = text && size ? text : arena_take(&csv->arena, 1, 1);
+    TRY(read_text(path, &csv->text, &size, why));
+    r.at = size ? csv->text : "";
+    csv->whole = size && csv->text[size - 1] == '\n';
     r.caption = r.end = r.at + size;
     while (*r.at)
         if (*r.at == '\n') {
@@ -179,7 +193,12 @@ out:
 
 void csv_clear(struct csv *csv)
 {
-    arena_clear(&csv->arena);
+    for (int n = 0; n < csv->count; n++) {
+        free(csv->table[n].cell);
+        free(csv->table[n].line);
+    }
+    free(csv->table);
+    free(csv->text);
     *csv = (struct csv){0};
 }
 

@@ -1,24 +1,27 @@
-/* csv.h - reads back what table.h writes for machines: tables one below the other, an empty
- * line between them. `# ` lines above a line of keys are its caption, those below its rows
- * its notes. The only reader of CSV with words in it.
+/* csv.h - reads tables of values separated by commas: reference tables, and what
+ * bench/data/table.h writes for machines. Tables stand one below the other, an empty line
+ * between them. `# ` lines above a line of keys are its caption, those below its notes.
+ * Cells may stand in quotes. The only reader of CSV with words in it.
  */
 #ifndef CSV_H
 #define CSV_H
 
-#include "bench/files/arena.h"
+#include <stdbool.h>
+
 #include "models/status.h"
 
 struct csv_table {
-    char *caption;     /* lines; "": none                                            */
-    char *notes;       /* lines; "": none                                            */
-    int columns, rows; /* columns >= 1                                               */
-    char **cell;       /* [1 + rows][columns], the keys first                        */
+    char *caption, *notes; /* lines; "": none                                  borrowed */
+    int columns, rows;     /* columns >= 1                                              */
+    char **cell;           /* [1 + rows][columns], the keys first                 owned */
+    int *line;             /* [1 + rows] in the file                              owned */
 };
 
 struct csv {
     int count;
-    struct csv_table *table; /* [count]                                              */
-    struct arena arena;      /* of tables, cells and all strings               owned */
+    struct csv_table *table; /* [count]                                           owned */
+    bool whole;              /* the last line has an end                               */
+    char *text;              /* in which all strings lie                          owned */
 };
 
 /* Reads a file, which is no link. STATUS_FILE: it cannot be read; STATUS_INPUT: too long, a

@@ -72,19 +72,15 @@ enum status claim_table4_print(const struct study_results *d, struct printer *p,
     X("artefacts", artefacts)                                                              \
     X("contact", contact)                                                                  \
     X("control-net", control_net)                                                          \
-    X("cures", cures)                                                                      \
     X("degree", degree)                                                                    \
     X("direct", direct)                                                                    \
     X("drops", drops)                                                                      \
     X("fig6", fig6)                                                                        \
     X("flag", flag)                                                                        \
-    X("iterations", iterations)                                                            \
-    X("local-global", local_global)                                                        \
     X("locking", locking)                                                                  \
     X("mesh", mesh)                                                                        \
     X("mesh-degree", mesh_degree)                                                          \
     X("plasticity", plasticity)                                                            \
-    X("solvers", solvers)                                                                  \
     X("table1", table1)                                                                    \
     X("table2", table2)                                                                    \
     X("table4-readings", table4)                                                           \

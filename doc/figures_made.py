@@ -18,21 +18,6 @@ from clothbench.results import number  # noqa: E402
 
 RESULTS = TOP / "doc" / "results"
 
-class Missing(Exception):
-    """A table that a result does not have: one of a quick run may lack it."""
-
-    def __init__(self, name, what):
-        super().__init__(f"doc/results/{name}.csv has no {what}")
-        self.quick = is_quick(RESULTS / f"{name}.csv")
-
-def is_quick(path):
-    return "--quick" in path.read_text().partition("\n")[0]
-
-def whole(name):
-    """Stops who needs more than a quick run has."""
-    if is_quick(RESULTS / f"{name}.csv"):
-        raise Missing(name, "row but those of a quick run")
-
 @functools.cache
 def tables(path):
     """Of a file: [(caption, rows)], a row a dict of its cells."""
@@ -46,7 +31,7 @@ def part(name, words, column):
     for caption, rows in result(name):
         if words in caption and rows and column in rows[0]:
             return rows
-    raise Missing(name, f"table '{words}' with {column}")
+    raise KeyError(f"doc/results/{name}.csv has no table '{words}' with {column}")
 
 def row(rows, **cells):
     for r in rows:
@@ -185,28 +170,19 @@ def thick(quantity, nu):
     return quantity.startswith("field") and ratio(quantity)[0] == 0.1 and nu(ratio(quantity)[1])
 
 def verify():
-    whole("verify")
     net = r"[^=]*\d+x\d+.*"
     rows = []
     for title, strip, plate in [
-        ("IGA, p = 2", "IGA, nonlinear, ", "IGA, linear, "),
-        ("IGA, p = 2, selective", "IGA, selective, nonlinear, ", "IGA, selective, linear, "),
-        ("IGA, p = 3, selective", "IGA, selective, nonlinear, p = 3, ",
-         "IGA, selective, linear, p = 3, "),
-        ("hexahedra", "hexahedra, nonlinear, ", "hexahedra, linear, "),
-        ("hexahedra, incompatible", "hexahedra, incompatible, nonlinear, ",
-         "hexahedra, incompatible, linear, "),
+        *((title, f"{name}, nonlinear, {more}", f"{name}, linear, {more}") for title, name, more in [
+            ("IGA, p = 2", "IGA", ""), ("IGA, p = 2, selective", "IGA, selective", ""),
+            ("IGA, p = 3, selective", "IGA, selective", "p = 3, "), ("hexahedra", "hexahedra", ""),
+            ("hexahedra, incompatible", "hexahedra, incompatible", "")]),
         ("shell, p = 3", "shell, p = 3, ", "shell, linear, p = 3, "),
-        ("mass-spring, matched", "mass-spring, matched, ", "mass-spring, matched, "),
-        ("mass-spring, leapfrog", "mass-spring, leapfrog, ", "mass-spring, leapfrog, "),
-    ]:
+        *((name, f"{name}, ", f"{name}, ") for name in ("mass-spring, matched", "mass-spring, leapfrog"))]:
         strips = [worst(check, strip + net) for check in ("elastica", "fabrics", "sze")]
-        plates = [
-            worst("cantilever", plate + net, lambda q: 0 < ratio(q)[0] <= 0.01),
-            worst("cantilever", plate + net, lambda q: thick(q, lambda nu: nu <= 0.3)),
-            worst("cantilever", plate + net, lambda q: thick(q, lambda nu: nu == 0.49)),
-            worst("frequencies", plate + net),
-        ]
+        plates = [worst("cantilever", plate + net, keep) for keep in (
+            lambda q: 0 < ratio(q)[0] <= 0.01, lambda q: thick(q, lambda nu: nu <= 0.3),
+            lambda q: thick(q, lambda nu: nu == 0.49))] + [worst("frequencies", plate + net)]
         if set(strips + plates) != {"-"}: # a result older than the contestant
             rows.append([title] + strips + plates)
     return markdown(["", "`elastica`, Gamma 0.01 to 1e4", "`fabrics`: bending length",
@@ -289,9 +265,7 @@ def compare_scenes():
             ("seconds shown", lambda scene, first: f"{float(scene[0]['span_s']):g}")]
     rows += [[title] + [say(scene, first) for scene, first in zip(by_scene.values(), firsts)]
              for title, say in ends]
-    note = "Of a quick run: cheap halves of ladders, no search.\n\n" if is_quick(
-        RESULTS / "compare_scenes.csv") else ""
-    return note + markdown([""] + [f"`{name}`" for name in by_scene], rows)
+    return markdown([""] + [f"`{name}`" for name in by_scene], rows)
 
 def truths():
     """A row for every scene that comes with the program."""
@@ -421,7 +395,6 @@ def end_of(runs):
             "not applicable": "refused"}.get(worst[0], worst[0])
 
 def stress():
-    whole("stress")
     all_ends = ends()
     rows = [[title] + [end_of([all_ends[c, model] for c in cases]) for _, model in STRESS]
             for title, cases in CASES]
@@ -447,7 +420,6 @@ def stability():
     return markdown(["E/rho"] + columns + ["died"], rows)
 
 def mesh():
-    whole("study_mesh")
     nets = ["5x5x2", "10x10x2", "15x15x2", "20x20x2"]
     held = part("study_mesh", "two corners held, the paper's scheme", "roughness")
     free = part("study_mesh", "undamped", "roughness")
@@ -482,7 +454,6 @@ def cures():
                             and least <= float(r["poisson"]) <= most) * 100)
                 for _, space in CURES]
 
-    whole("study_cures")
     return markdown([""] + [title for title, _ in CURES], [
         ["linear, h/L 1e-2 and thinner"] + off(["linear"]),
         ["linear, h/L = 0.1, nu up to 0.3"] + off(["linear_thick"], most=0.3),
@@ -491,7 +462,6 @@ def cures():
         ["nonlinear, Gamma = 100 (two spans bend)"] + off(["gamma_100"])])
 
 def locking():
-    whole("study_locking")
     tips = part("study_locking", "tip of a cantilevered sheet", "tip")
 
     def kept(degree, poisson, column):
@@ -601,7 +571,6 @@ def remedies():
 def touching():
     """Of each scene the errors where its truth ends, the distances to the shell at its end, and depths
     of bodies in the sheet; a column a contestant."""
-    whole("study_touching")
     runs = {}
     for r in part("study_touching", "touches", "crossings"):
         if r["level"] != "truth":
@@ -674,11 +643,4 @@ def speed_against_error():
             "x": "seconds of work, one thread", "y": "RMSE / length [%]", "real_time": 0.5,
             "drawn": drawn}
 
-def iterations():
-    """What a strip seems to be made of, by contestant: 1 is what it is made of."""
-    return {"title": "A hanging strip, steps of 5 ms: the stiffness that it seems to have",
-            "x": "iterations in a step", "y": "of the stiffness after the most",
-            "drawn": [(title, "", [(n, share) for n in (1, 4, 16, 64) if (share := softer(title, 1, n))])
-                      for title in iterated()]}
-
-CHARTS = {"speed_against_error": speed_against_error, "iterations": iterations}
+CHARTS = {"speed_against_error": speed_against_error}

@@ -38,7 +38,7 @@ list(TRANSFORM scenes PREPEND share/clothbench/scenes/)
 foreach(file bin/clothbench lib/python3/dist-packages/clothbench/truth.py share/man/man1/clothbench.1 ${scenes}
              share/clothbench/plans/feasibility.yaml
              lib/python3/dist-packages/clothbench/page.html.j2 share/clothbench/manual/iterations.md
-             share/clothbench/manual/iterations.svg ${libraries})
+             share/clothbench/manual/speed_against_error.svg ${libraries})
   if(NOT EXISTS ${PREFIX}/${file})
     message(SEND_ERROR "${file} was not installed")
   endif()

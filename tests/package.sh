@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The Debian package: it names the libraries that it needs, and the program that is unpacked
-# from it finds its scenes, plans and references without the source folder and meets its claims.
+# from it finds its scenes, plans and references without the source folder and meets its claims;
+# so does its Python package.
 #   package.sh BUILD [CHECK]...     all checks without one
 # shellcheck source=tests/fixture.sh
 . "$(dirname "$0")/fixture.sh"
@@ -20,4 +21,17 @@ done
 cd / || exit 1
 "$folder/root/usr/bin/clothbench" verify "${@:2}" --quick --out "$folder/rows" >"$folder/out" 2>&1 ||
     fail "verify from the package: $(tail -n 3 "$folder/out")"
+
+# The Python package in it calls the program in it, and the program has its page made by it.
+cd "$folder" || exit 1
+usr=$folder/root/usr
+if /usr/bin/python3 -c 'import h5py, jinja2, matplotlib' 2>/dev/null; then
+    PATH=$usr/bin PYTHONPATH=$usr/lib/python3/dist-packages /usr/bin/python3 -c '
+import clothbench
+assert clothbench.__file__.startswith("'"$usr"'"), clothbench.__file__
+assert clothbench.export("edge_drop", 3, 3).x.shape == (12, 3)' >out 2>&1 ||
+        fail "Python from the package: $(tail -n 3 out)"
+    "$usr/bin/clothbench" report rows --out page.html >out 2>&1 || fail "report from the package: $(tail -n 3 out)"
+    grep -q '<table' page.html || fail 'a page of the package has no table'
+fi
 [ "$failures" -eq 0 ]

@@ -122,7 +122,7 @@ output=$(PKG_CONFIG_PATH=$folder/broken cmake -G Ninja -S "$odd" -B "$odd built"
 code=$?
 expect 'an odd folder, half of MPI' 0 'one machine' 'Generating done'
 
-for character in '"' ';' '\' '#' '[' ']' '<' '>' '|' $'\n'; do
+for character in '"' ';' \\ '#' '[' ']' '<' '>' '|' $'\n'; do
     odd="$folder/${character}x"
     mkdir "$odd"
     cp -r "$folder/check" "$folder/reproduce" "$folder/tools" "$odd"

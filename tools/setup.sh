@@ -81,7 +81,7 @@ setup_logged() { # NAME COMMAND...
 # Refuses a folder whose name has a character that CMake takes for its own.
 setup_folder() {
     local character
-    for character in '"' ';' '\' '#' '[' ']' '<' '>' '|' $'\n'; do
+    for character in '"' ';' \\ '#' '[' ']' '<' '>' '|' $'\n'; do
         [[ $top != *"$character"* ]] ||
             setup_fail "the folder ${top@Q} has ${character@Q} in its name, where CMake cannot build; \
 rename it, or move clothbench elsewhere"

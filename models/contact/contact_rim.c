@@ -442,8 +442,8 @@ enum status contact_rim_find(struct contact_rim *r, contact_rim_visit *visit, vo
         for (end = first; end < r->count && r->pair[end][0] == r->pair[first][0];)
             end++;
         const int count = sift(r, first, end);
-        if (count && (r->search->sheet.surface->smooth ||
-                      !only_faces(r, r->pair[first][0], count)))
+        if (count &&
+            (r->search->sheet.surface->smooth || !only_faces(r, r->pair[first][0], count)))
             TRY(meet_edge(r, r->pair[first][0], count, visit, context));
     }
 out:

@@ -8,12 +8,14 @@
 #include "models/vector.h"
 
 /* The largest plausible stretch of what no support pulls (woven cloth tears before it) or,
- * if that is more, strain over the one that the scene prescribes; the largest spread of
- * neighbouring stretches over the same, likewise; the largest angle by which a cell bends
- * [rad]: the chord of an arc of the angle t is t / 8 of itself off the arc, 5 %; the
- * largest share of the energy that may be won where nothing is moved. */
-static const double STRETCH = 1.3, STRAIN = 10, SPREAD = 1.5, EVEN = 1e-3, TURN = 0.4,
-                    WON = 0.3;
+ * if that is more, strain over the one that the scene prescribes; the largest angle by
+ * which a cell bends [rad]: the chord of an arc of the angle t is t / 8 of itself off the
+ * arc, 5 %, and t^2 / 24 shorter, by which neighbouring stretches may differ, too, besides
+ * SPREAD times that strain; a sheet that bends in one direction alone need not stretch for
+ * it, and its chords may be off by OFF of the length; the largest share of the energy that
+ * may be won where nothing is moved. */
+static const double STRETCH = 1.3, STRAIN = 10, TURN = 0.4, EVEN = 0.4 * 0.4 / 24,
+                    SPREAD = 1.5, OFF = 0.01, WON = 0.3;
 
 enum { TIMES = 100 };
 
@@ -161,9 +163,17 @@ static void tell_steps(const double value[MEASURES], struct told *t)
     }
 }
 
-static void tell_shape(const struct scene *scene, const double value[MEASURES],
-                       struct told *t)
+/* Returns the largest angle by which cells of the net may bend [rad]. */
+static double most_turn(const struct run *r)
 {
+    return scene_same_across(&r->scene)
+               ? fmax(TURN, 8 * OFF * (r->discretization.points[0] - 1))
+               : TURN;
+}
+
+static void tell_shape(const struct run *run, const double value[MEASURES], struct told *t)
+{
+    const struct scene *scene = &run->scene;
     const double pull = pulled(scene), strain = distrust_strain(scene),
                  whole = pull * (1 + strain) - 1, stretch = value[MEASURE_STRETCH_MAX],
                  spread = value[MEASURE_SPREAD_MAX], turn = value[MEASURE_TURN_MAX],
@@ -184,7 +194,7 @@ static void tell_shape(const struct scene *scene, const double value[MEASURES],
              spread, whole);
         t->net = true;
     }
-    if (turn > TURN) {
+    if (turn > most_turn(run)) {
         TELL(t, "a cell of the net bends by %.0f degrees", turn * 180 / acos(-1.0));
         t->net = true;
     }
@@ -224,7 +234,7 @@ bool distrust(const struct run *run, const double value[MEASURES], struct messag
     sentence->text[0] = '\0';
     tell_steps(value, &t);
     tell_net(run, value[MEASURE_LOAD_MAX], &t);
-    tell_shape(scene, value, &t);
+    tell_shape(run, value, &t);
     if (later)
         TELL(&t, "it passes through itself from %.3g s on", begin);
     else if (crossed)

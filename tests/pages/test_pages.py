@@ -65,10 +65,11 @@ def test_charts_of_plans_and_maps(tmp_path):
     made = page.line_charts(t, "chart")
     assert [words for _, words in made] == ["A", "B"] and "mesh [m]" in words_of(made[0][0])
     assert drawn(made[0][0], charts.OTHERS[0]) == 2
-    t = table(tmp_path, "number,case,kind,x,gamma,labels,outcome\n1,p,mass,1,7,feasible,\n2,p,mass,10,7,died,\n"
+    t = table(tmp_path, "number,case,kind,way,gamma,labels,outcome\n1,p,mass,1,7,feasible,\n2,p,mass,10,7,died,\n"
               "3,p,none,100,7,died,\n4,q,none,100,7,died,\n")
     (svg, words), (other, name) = page.map_charts(t)
-    assert (words, name) == ("p", "q") and all(w in words_of(svg) for w in ("died: 2", "mass", "kind", "x"))
+    assert (words, name) == ("p", "q") and all(w in words_of(svg) for w in ("died: 2", "mass", "100"))
+    assert words_of(svg).index("way") < words_of(svg).index("kind")  # x before y
     assert "gamma" not in words_of(svg) and "died: 1" in words_of(other)
 
 def test_pictures_show_what_moves():

@@ -242,9 +242,9 @@ static size_t shell_tangent_right(const struct shell_space *space)
 struct kernel {
     int row, groups;
     bool moments; /* whether the tangent has their part                                */
-    shell_lanes *flat[2], *rows[2], *pull[2];   /* of a, of b                          */
-    shell_lanes *bent[2], *moment[2];           /* likewise                            */
-    double (*normal)[3];                        /* [points of bending]                 */
+    shell_lanes *flat[2], *rows[2], *pull[2]; /* of a, of b                          */
+    shell_lanes *bent[2], *moment[2];         /* likewise                            */
+    double (*normal)[3];                      /* [points of bending]                 */
 };
 
 static struct kernel kernel_of(struct shell_element *e, const struct large_path *path,

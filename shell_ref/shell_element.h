@@ -37,9 +37,9 @@ struct shell_points {
     int rows[2];       /* then rows of points that share one strain along u, along v   */
     int each[2];       /* points of such a row                                         */
     const double *factor[2]; /* [each] by which their strains make this sum            */
-    const double *T;   /* [SHELL_DERIVATIVES or SHELL_SLOPES][local][padded]           */
-    double *room;      /* room to make them in                                         */
-    double *strain;    /* [3][padded]; the mass has none                               */
+    const double *T; /* [SHELL_DERIVATIVES or SHELL_SLOPES][local][padded]           */
+    double *room;    /* room to make them in                                         */
+    double *strain;  /* [3][padded]; the mass has none                               */
     struct shell_surface *surface; /* [padded / SHELL_LANES] of the strain; likewise   */
 };
 

@@ -51,7 +51,7 @@ static bool find_ends(const struct bspline *basis, int part, int count, int way,
         return false;
     for (int n = 0; n < 2; n++) {
         end[n] = (struct end){n ? (count - 1) * way : 0, n ? -way : way, {0}};
-        bspline_eval(b, bspline_span(b, n), n, 2, N);
+        bspline_eval(b, bspline_span(b, part + n), part + n, 2, N);
         for (int a = 0; a < STENCIL; a++)
             end[n].q[a] = N[2 * (b->p + 1) + (n ? b->p - a : a)];
     }

@@ -62,9 +62,9 @@ static enum status make_line(const struct bspline *b, struct line_table *line, i
  * from span to span that has the same p-th derivative d: d (span / pi)^p sqrt(8) / pi. */
 static void make_unseen(int order, double *factor)
 {
-    /* The least fifth that leaves motions in the plane nearly as stiff as uncured (the test
-     * cure_states). Beside a clamp, where strains change within a span, a strip that is
-     * pulled by 1 % is pressed by it: with the whole it wrinkles at nu = .45. */
+    /* Between a tenth, which leaves motions in the plane too soft (the test cure_states),
+     * and the whole, by which beside a clamp, where strains change within a span, a strip
+     * that is pulled by 1 % wrinkles at nu = .45. */
     const double PI = 3.14159265358979323846, PART = 0.2;
     const int p = order - 1;
     double x[GAUSS_MAX], scale = sqrt(8 * PART) / PI * (2 * p + 1);

@@ -61,6 +61,16 @@ good score --protocol mine --out page.html --format csv
 has out subject,verdict,sentence
 grep -q "</html>" page.html || fail "--out: no page"
 rm page.html
+# result files count with the points of their net, not with the places that they store
+mkdir -p ours/free_fall
+for points in 5,4 7,4; do
+    good run free_fall --model triangles --set "discretization.points=[$points]" --quiet \
+        --out "ours/free_fall/net-${points/,/x}.h5"
+done
+good score --protocol ours --format csv
+has out 'On free_fall its error is at most'
+has out '(7x4 points'
+has out 'there are two nets'
 echo nothing >mine/free_fall/cells.csv
 refused score --protocol mine --out page.html
 [ ! -e page.html ] || fail "bad input, and a page"

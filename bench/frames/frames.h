@@ -40,9 +40,10 @@ struct frames_look {
 /* The net that moves; owned by the frames. */
 struct frames_net {
     int vertices;
-    double *uv;         /* [vertices][2] material coordinates; NULL: unknown              */
-    double *rest;       /* [vertices][3] of --rest; NULL: none                            */
-    int triangles;      /* 0: no faces                                                    */
+    int points[2]; /* of the net of whose surface a result file has so many places; 0  */
+    double *uv;    /* [vertices][2] material coordinates; NULL: unknown              */
+    double *rest;  /* [vertices][3] of --rest; NULL: none                            */
+    int triangles; /* 0: no faces                                                    */
     int (*triangle)[3]; /* [triangles] of vertices, from 0                                */
 };
 

@@ -151,6 +151,23 @@ out:
     return st;
 }
 
+/* Reads the points of the net that a result file is of. */
+static enum status read_points(struct frames *f, const struct store_read *own,
+                               struct message *why)
+{
+    static const char key[] = "discretization.points=[";
+    char *text = NULL;
+    enum status st;
+
+    TRY(store_read_text(own, "/", "discretization", &text, why));
+    const char *at = strstr(text, key);
+    if (!at || sscanf(at + strlen(key), "%d,%d", &f->net.points[0], &f->net.points[1]) != 2)
+        f->net.points[0] = f->net.points[1] = 0;
+out:
+    free(text);
+    return st;
+}
+
 static enum status open_own(struct frames *f, struct message *why)
 {
     struct moving *m = f->state;
@@ -164,6 +181,7 @@ static enum status open_own(struct frames *f, struct message *why)
         TRY(status_fail(why, STATUS_INPUT, "%s: xyz_time: has %d times of %d frames",
                         f->path, rows, f->count));
     TRY(store_read_text(m->own, "/", "scene_name", &f->scene, why));
+    TRY(read_points(f, m->own, why));
     TRY(frames_room(f, GRID_U * GRID_V, why));
     m->field = malloc(3 * GRID_POINTS * sizeof *m->field);
     f->net.uv = malloc(2 * GRID_U * GRID_V * sizeof *f->net.uv);

@@ -311,8 +311,8 @@ static enum status read_run(struct arena *arena, const char *path, const char *s
     own.frames.dt = run->dt > 0 ? run->dt : look->frames.dt;
     TRY(score_read(scene, 1, &path, &own, &s, why));
     const int side = (int)lround(sqrt(s.net.vertices));
-    run->net[0] = s.net.columns ? s.net.columns : side;
-    run->net[1] = s.net.columns ? s.net.rows : side;
+    run->net[0] = s.net.points[0] ? s.net.points[0] : s.net.columns ? s.net.columns : side;
+    run->net[1] = s.net.points[1] ? s.net.points[1] : s.net.columns ? s.net.rows : side;
     to->length = s.truth.scene.length;
     keep(arena, &s, run);
 out:

@@ -390,6 +390,7 @@ static enum status make_net(struct score *s, const struct frames *frames,
         turn(look, net->vertices, net->rest, rest);
     }
     TRY(score_net_make(arena, net, scene, name, rest, xyz, &s->net, why));
+    memcpy(s->net.points, net->points, sizeof s->net.points);
     TRY(score_net_map(arena, &s->net, net, scene, name, GRID_U, GRID_V, &s->grid.map, why));
     TRY(score_net_map(arena, &s->net, net, scene, name, LADDER_U, LADDER_V, &s->fine.map,
                       why));

@@ -20,6 +20,7 @@ struct score_map {
 struct score_net {
     int vertices;
     int columns, rows; /* 0: it has none; set by score_net_map                        */
+    int points[2];     /* frames.h                                                    */
     double *uv;        /* [vertices][2]                                                */
     bool by_position;  /* uv were found from rest positions                            */
 };

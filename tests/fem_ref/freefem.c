@@ -65,7 +65,7 @@ static void check_fields(void)
         {7, "0.54545454545454541,0,0,0,0\n", "row 7: a point does not move"},
         {144, "", "143 rows, not 144"},
         {144, "1,1,0,0,-1\n1,1,0,0,-1\n", "145 rows, not 144"},
-        {144, "1,1,0,0\n", "too few cells"},
+        {144, "1,1,0,0\n", "4 cells below 5 keys"},
         {144, "1,1,0,0,-0.6", "cut short"}};
     struct message why;
 

@@ -70,7 +70,6 @@ done
 good score --protocol ours --format csv
 has out 'On free_fall its error is at most'
 has out '(7x4 points'
-has out 'there are two nets'
 echo nothing >mine/free_fall/cells.csv
 refused score --protocol mine --out page.html
 [ ! -e page.html ] || fail "bad input, and a page"

@@ -191,7 +191,7 @@ struct truth_outlook truth_make_look(const struct truth_family family[TRUTH_MODE
         const struct truth_family *f = &family[m];
         o.model[m].runs = f->count;
         o.model[m].finest = f->count == TRUTH_FAMILY_MOST ||
-                            !truth_plan_rung(scene, frame, f->count, &next);
+                            !truth_plan_rung(scene, frame, f->begun + f->count, &next);
         if (f->count)
             o.model[m].seconds = seconds_of(finest(f));
     }
@@ -317,7 +317,7 @@ static enum status add_run(struct maker *k, enum truth_model model, struct messa
     char text[TRUTH_BAR_LEVEL];
     enum status st;
 
-    truth_plan_rung(k->scene, k->runs->frame, f->count, level);
+    truth_plan_rung(k->scene, k->runs->frame, f->begun + f->count, level);
     level->model = model;
     truth_bar_level(level, false, text);
     if (k->runs->say && deadline_left(k->runs->until) > 0)
@@ -326,6 +326,26 @@ static enum status add_run(struct maker *k, enum truth_model model, struct messa
     k->spent += seconds_of(&f->run[f->count++]);
 out:
     return st;
+}
+
+/* The last rung that may be too coarse to live: 21 points a side of most scenes. */
+enum { COARSE = 3 };
+
+/* Makes one of the first runs of a model. A net that is so coarse that it dies says nothing
+ * of finer ones, and those before it no more: the model begins behind it. */
+static enum status begin_run(struct maker *k, enum truth_model model, struct message *why)
+{
+    struct truth_family *f = &k->family[model];
+    const enum status st = add_run(k, model, why);
+    const int died = f->begun + f->count;
+
+    if (!status_is_death(st) || died > COARSE)
+        return st;
+    if (k->runs->say)
+        fprintf(k->runs->say, "truth: %s; it begins with a finer net\n", why->text);
+    truth_family_clear(f);
+    f->count = 0, f->begun = died + 1;
+    return STATUS_OK;
 }
 
 /* Returns whether a model that came to this leaves the other one alone. */
@@ -345,8 +365,8 @@ static enum status begin(struct maker *k, int count, struct message *why)
 
     for (int n = 0; n < count; n++)
         for (enum truth_model m = first; m < TRUTH_MODELS; m++)
-            if (st[m] == STATUS_OK)
-                st[m] = add_run(k, m, &said[m]);
+            while (st[m] == STATUS_OK && k->family[m].count <= n)
+                st[m] = begin_run(k, m, &said[m]);
     for (enum truth_model m = first; m < TRUTH_MODELS; m++) {
         if (st[m] == STATUS_LATE && k->family[m].count >= LEAST_RUNS)
             st[m] = STATUS_OK;

@@ -38,6 +38,7 @@ enum { TRUTH_FAMILY_MOST = 9 };
 
 /* Runs of one model, whose nets and steps shrink alike. */
 struct truth_family {
+    int begun;    /* the rung of truth_plan_rung of its first run                       */
     int count;    /* 0: the model refuses the scene                                     */
     bool goes_on; /* its field is where the last three are going, if their order is
                      believed (truth_order), however many there are                     */

@@ -99,7 +99,7 @@ static void is_made_again(const char *folder, const struct truth *whole)
     struct files before, after;
     char path[4096];
 
-    truth_destroy(made(folder, BLUNT, 60));
+    truth_destroy(made(folder, 1e-9, 0)); /* which runs, no clock decides */
     list(folder, &before);
     REQUIRE(before.count >= 4);
     for (int n = 0; n < 2; n++) {
@@ -113,7 +113,7 @@ static void is_made_again(const char *folder, const struct truth *whole)
     }
     snprintf(path, sizeof path, "%s/%s", folder, before.name[2]);
     REQUIRE(remove(path) == 0);
-    struct truth *t = made(folder, BLUNT, 60);
+    struct truth *t = made(folder, 1e-9, 0);
     list(folder, &after);
     CHECK(after.count == before.count && kept(&before, &after) == before.count - 3);
     CHECK(same_bits(t, whole));
@@ -171,6 +171,51 @@ static void push_finer(const char *folder)
     if (!CHECK(strstr(made.horizon, horizon)))
         printf("%d solids: %s\n", solids, made.horizon);
     truth_clear(&made);
+    asked_close(&a);
+}
+
+/* --- Nets that die. */
+
+static int dies_at; /* shells of so many points a side; 0: none */
+
+enum status __real_truth_level_find(const struct truth_runs *runs,
+                                    const struct truth_level *level, struct run_result *r,
+                                    struct message *why);
+enum status __wrap_truth_level_find(const struct truth_runs *runs,
+                                    const struct truth_level *level, struct run_result *r,
+                                    struct message *why);
+enum status __wrap_truth_level_find(const struct truth_runs *runs,
+                                    const struct truth_level *level, struct run_result *r,
+                                    struct message *why)
+{
+    if (level->model == TRUTH_SHELL && level->side == dies_at)
+        return status_fail(why, STATUS_DIVERGED, "a shell of %d points died", dies_at);
+    return __real_truth_level_find(runs, level, r, why);
+}
+
+/* A coarse net that dies takes those before it along, and the truth is made of finer ones.
+ */
+static void begins_finer(const char *folder)
+{
+    struct asked a;
+    struct truth made = {0};
+    struct truth_end end;
+    struct message why = {""};
+    const struct truth_wish hasty = {1e-9, 0};
+
+    asked_open(&a, "edge_drop", 2, own, TIMES, TIME, folder);
+    a.runs.frame = truth_plan_frame(&a.scene);
+    dies_at = 12;
+    REQUIRE(truth_make(&a.runs, &a.scene, &hasty, &made, &end, &why) == STATUS_OK);
+    if (!CHECK(strstr(made.source, "21x21") && strstr(made.source, "12x12")))
+        printf("%s\n", made.source); /* the shell's, and the solid's, which lives on */
+    truth_clear(&made);
+    dies_at = 9;
+    REQUIRE(truth_make(&a.runs, &a.scene, &hasty, &made, &end, &why) == STATUS_OK);
+    if (!CHECK(strstr(made.source, "15x15")))
+        printf("%s\n", made.source);
+    truth_clear(&made);
+    dies_at = 0;
     asked_close(&a);
 }
 
@@ -293,7 +338,7 @@ int main(int argc, char **argv)
         CHECK(sharp->error[n] > 0);
     }
     CHECK(sharp->error[1] < hasty->error[1]);
-    is_made_again(again, blunt);
+    is_made_again(again, hasty);
     truth_destroy(hasty);
     truth_destroy(blunt);
     truth_destroy(sharp);
@@ -301,5 +346,6 @@ int main(int argc, char **argv)
     crossed();
     check_plate();
     push_finer(finer);
+    begins_finer(finer);
     return check_result();
 }

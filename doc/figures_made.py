@@ -568,6 +568,26 @@ def remedies():
         (f"`{model}`" + (", uncured" if cure == "none" else ""), {"model": model, remedy: cure})
         for model in models for cure in ("auto", "none")], bound)
 
+def meshes():
+    """A row a rule and mesh: errors at the end in per cent, and how far a cantilever's tip is off the
+    elastica's, each on the coarsest and the finest net."""
+    rows = part("study_meshes", "irregular", "tip")
+    nets = list(dict.fromkeys(r["points"] for r in rows))
+    studies = list(dict.fromkeys(r["study"] for r in rows))
+
+    def cell(study, rule, mesh):
+        cells = {"study": study, "rule": rule, "mesh": mesh}
+        ends = [[r for r in rows if (cells | {"points": net}).items() <= r.items()][-1] for net in (nets[0], nets[-1])]
+        return " to ".join(digits(100 * number(r["error"]), 2) if r["error"] else
+                           f"{100 * (number(r['tip']) - 1):+.1f}" if r["tip"] else "-" for r in ends)
+
+    bars = [max((number(r["error_bar"]) for r in rows if r["study"] == study and r["error_bar"]), default=math.nan)
+            for study in studies]
+    return markdown(["rule", "mesh"] + [f"`{study}`" for study in studies], [
+        ["the truth's bar", ""] + ["-" if math.isnan(bar) else digits(100 * bar, 2) for bar in bars]] + [
+        [rule, mesh] + [cell(study, rule, mesh) for study in studies]
+        for rule, mesh in dict.fromkeys((r["rule"], r["mesh"]) for r in rows)])
+
 def touching():
     """Of each scene the errors where its truth ends, the distances to the shell at its end, and depths
     of bodies in the sheet; a column a contestant."""

@@ -4,7 +4,8 @@
 #ifndef VERDICT_H
 #define VERDICT_H
 
-/* What is said of a statement, of a row of a check, or of a case by its plan's rules. */
+/* A verdict says how a statement, a row of a check, or a case by its plan's rules came out.
+ */
 #define VERDICT_LIST(X)                                                                    \
     X(FAILS, "does not hold")                                                              \
     X(HOLDS, "holds")                                                                      \

@@ -28,7 +28,7 @@ enum { PATIENCE = 5 };
  * shorter ones round-off of the membrane's has a part. */
 static const double FAR = 3e-6;
 
-/* What newton.h's loop solves here. */
+/* An equation is what newton.h's loop solves here. */
 struct equation {
     struct march *m;
     const struct large_equation *q;

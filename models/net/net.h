@@ -27,7 +27,7 @@ struct net {
     double keep;   /* factor on velocities after each frame                  [1]      */
 };
 
-/* What a net cannot do, with the scene and choices at hand. */
+/* A refusal names what a net cannot do with the scene and choices at hand. */
 struct net_refusal {
     bool is_asked;
     const char *sentence; /* NULL ends a table */

@@ -28,7 +28,9 @@ static const struct row {
     {"fold", "position_based", "discretization.points=[12,7];time.end=0.02", false},
     {"fold", "vbd", "discretization.points=[12,7];time.end=0.02", false},
     {"fold", "triangles",
-     "discretization.points=[12,7];discretization.mesh=irregular;time.end=0.02", false},
+     "discretization.points=[31,16];discretization.mesh=irregular;discretization.bending="
+     "hinge",
+     true},
     {"fold", "triangles_explicit", "discretization.points=[31,16]", true},
     {"twist", "shell", "discretization.points=[12,4];time.end=0.05", false},
     {"twist", "iga_selective_3", "discretization.points=[12,4,2];time.end=0.05", false},

@@ -5,6 +5,11 @@
 #   package.sh BUILD [CHECK]...     all checks without one
 # shellcheck source=tests/fixture.sh
 . "$(dirname "$0")/fixture.sh"
+/usr/bin/python3 -c 'import json, sys
+for preset in json.load(open(sys.argv[1]))["buildPresets"]:
+    if preset["name"] in ("release", "portable") and "clothbench_archive" not in preset["targets"]:
+        sys.exit("the preset " + preset["name"] + " does not build what is installed")
+' "$(dirname "$0")/../CMakePresets.json" || fail "a preset builds less than cpack and cmake --install take"
 own_folder
 command -v dpkg-deb >/dev/null || exit 77
 (cd "$1" && cpack -G DEB -B "$folder" -D CPACK_DEBIAN_COMPRESSION_TYPE=none) >out 2>&1 || fail "cpack: $(tail -n 3 out)"

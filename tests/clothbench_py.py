@@ -211,7 +211,7 @@ def bad_truths():
         says(what, ValueError, words, clothbench.truth.read, "bad.csv")
     if h5py:
         h5py.File("bad.h5", "w").close()
-        says("no truth", ValueError, "is no truth", clothbench.truth.read, "bad.h5")
+        says("no truth", ValueError, "is not a result file", clothbench.truth.read, "bad.h5")
     os.environ["CLOTHBENCH"] = ""
     os.environ["PATH"] = ""
     clothbench.program.__file__ = os.path.abspath("elsewhere.py")

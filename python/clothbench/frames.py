@@ -1,10 +1,12 @@
 """What a simulator did: positions of vertices at times."""
 
 import collections
+import io
 import os
-import tempfile
 
 import numpy
+
+from . import results
 
 Frames = collections.namedtuple("Frames", "t uv xyz")
 
@@ -46,26 +48,15 @@ def write(path, t, uv, xyz):
     uv[vertices][2] to PATH, .npz or .h5; the whole file or none.
     Folders that are not there are made."""
     t, uv, xyz = _checked(t, uv, xyz)
-    path = os.fspath(path)
-    ending = _ending(path)
-    folder = os.path.dirname(path) or "."
-    os.makedirs(folder, exist_ok=True)
-    handle, aside = tempfile.mkstemp(dir=folder, suffix=ending)
-    os.close(handle)
-    try:
-        if ending == ".npz":
-            numpy.savez(aside, t=t, uv=uv, xyz=xyz)
-        else:
-            with h5py().File(aside, "w") as file:
-                for name, a, unit in ("t", t, "s"), ("uv", uv, "1"), ("xyz", xyz, "m"):
-                    file.create_dataset(name, data=a).attrs["unit"] = unit
-        mask = os.umask(0)
-        os.umask(mask)
-        os.chmod(aside, 0o666 & ~mask)
-        os.replace(aside, path)
-    except BaseException:
-        os.remove(aside)
-        raise
+    path, data = os.fspath(path), io.BytesIO()
+    if _ending(path) == ".npz":
+        numpy.savez(data, t=t, uv=uv, xyz=xyz)
+    else:
+        with h5py().File(data, "w") as file:
+            for name, a, unit in ("t", t, "s"), ("uv", uv, "1"), ("xyz", xyz, "m"):
+                file.create_dataset(name, data=a).attrs["unit"] = unit
+    os.makedirs(os.path.dirname(path) or ".", exist_ok=True)
+    results.write(path, data.getvalue())
 
 def read(path):
     """Reads what write wrote, as .t, .uv and .xyz."""

@@ -9,7 +9,7 @@ import jinja2
 import numpy as np
 
 from . import charts, results
-from .results import Bad, number
+from .results import Bad, best, grouped, number, where
 
 # Bytes of a page, and of what is in it, which are together less: the rest is for its words.
 PAGE_MOST, PICTURES_MOST, CHARTS_MOST, MOTIONS_MOST, CELLS_MOST = 5_000_000, 1_900_000, 1_200_000, 500_000, 900_000
@@ -95,69 +95,43 @@ def round2(value):
 
 def counted(rows, first, second, caption):
     """How many rows have each pair of words, as a table."""
-    seconds = list(dict.fromkeys(r[second] for r in rows))
+    seconds = list(grouped(rows, second))
     return results.Table(caption, ["", *seconds], [
-        {"": name, **{s: str(sum((r[first], r[second]) == (name, s) for r in rows)) for s in seconds}}
-        for name in dict.fromkeys(r[first] for r in rows)])
+        {"": name} | {s: str(len(where(of, **{second: s}))) for s in seconds}
+        for name, of in grouped(rows, first).items()])
 
 def address(data, kind):
     return f"data:image/{kind};base64,{base64.b64encode(data).decode()}"
 
 # --- charts of tables ------------------------------------------------------------------------
 
-def best(rows):
-    """Of each model the contestant that is first to 1 %, else the nearest: [(seconds or inf, lowest
-    error, title, model, contestant)], best first."""
-    found = {}
-    for r in rows:
-        seconds, error = number(r["seconds"]), number(r["worst_rmse_over_length"])
-        if seconds > 0 and error > 0:
-            near, low = found.get(r["contestant"], (float("inf"), float("inf"), None))[:2]
-            found[r["contestant"]] = (min(near, seconds if error <= 0.01 else near), min(low, error),
-                                      r["title"], r["model"], r["contestant"])
-    models = {}
-    for one in sorted(found.values()):
-        models.setdefault(one[3], one)
-    return list(models.values())
-
-def bar_of(table, scene):
+def bar_of(table):
     """The truth's largest error bar over the length at the times of a table of runs, or None."""
     given = [number(r.get("bar_over_length")) for r in table.rows] + [
-        number(v) for r in table.rows if not r["contestant"] for k, v in r.items()
-        if k.startswith("rmse_over_length")]
-    known = [v for v in given if v > 0]
-    return max(known) if known else None
+        number(v) for r in where(table.rows, contestant="") for k, v in r.items() if k.startswith("rmse_over_length")]
+    return max((v for v in given if v > 0), default=None)
 
 def speed_chart(table, title, everything=True):
     """Error over seconds, a line for the best contestant of each model."""
-    bar = bar_of(table, title)
+    def line(name, model, who, front):
+        points = [(number(r["seconds"]), 100 * number(r["worst_rmse_over_length"]))
+                  for r in where(table.rows, contestant=who) if (r["front"] == "1") == front]
+        return name, charts.colour_of(model), [p for p in points if min(p) > 0]
 
-    def points(rows):
-        return [(number(r["seconds"]), 100 * number(r["worst_rmse_over_length"])) for r in rows
-                if number(r["seconds"]) > 0 and number(r["worst_rmse_over_length"]) > 0]
-
-    drawn, others = [], []
-    for _, _, name, model, who in best(table.rows):
-        rows = [r for r in table.rows if r["contestant"] == who]
-        drawn.append((name, charts.colour_of(model), points([r for r in rows if r["front"] == "1"])))
-        others.append((name, charts.colour_of(model), points([r for r in rows if r["front"] != "1"])))
-    return charts.lines(title, "seconds of work, one thread", "RMSE / length [%]", drawn,
-                        bar and 100 * bar, others if everything else ())
+    bar, known = bar_of(table), [one[2:] for one in best(table.rows)]
+    return charts.lines(title, "seconds of work, one thread", "RMSE / length [%]", [line(*one, True) for one in known],
+                        bar and 100 * bar, [line(*one, False) for one in known if everything])
 
 def line_charts(table, title):
     """Charts of a table with panel, line, x and y: a line's words may name a model."""
     x, y = table.keys[2:4]
     made = []
-    for panel in dict.fromkeys(r["panel"] for r in table.rows):
-        rows = [r for r in table.rows if r["panel"] == panel]
-        names = list(dict.fromkeys(r["line"] for r in rows))
-        words = panel or title
-        for begin in range(0, len(names), charts.LINES_MOST):
-            part = names[begin:begin + charts.LINES_MOST]
-            made.append((charts.lines(words, x, y, [
-                (name, charts.colour_of(name, begin + n), [(number(r[x]), number(r[y])) for r in rows
-                                                           if r["line"] == name])
-                for n, name in enumerate(part)]), words))
+    for panel, rows in grouped(table.rows, "panel").items():
+        named = list(grouped(rows, "line").items())
+        for begin in range(0, len(named), charts.LINES_MOST):
+            made.append((charts.lines(panel or title, x, y, [
+                (name, charts.colour_of(name, begin + n), [(number(r[x]), number(r[y])) for r in of])
+                for n, (name, of) in enumerate(named[begin:begin + charts.LINES_MOST])]), panel or title))
     return made
 
 def map_charts(table):
@@ -481,7 +455,7 @@ def motions_of(top):
         middle = (flat.min(0) + flat.max(0)) / 2 if len(flat) else 0
         scale = np.abs(flat - middle).max(initial=0) * 1.25 or 1
         good = np.isfinite(run.xyz).all((1, 2, 3, 4))
-        xyz = np.concatenate(list(np.moveaxis(run.xyz[good], 1, 0)), 2)  # sheets side by side
+        xyz = run.side_by_side()[good]
         made.append({"name": f"{run.scene}, {run.name}".replace("_", " "), "colour": charts.colour_of(run.model),
                      "time": [t for t, is_good in zip(run.time, good) if is_good],
                      "rows": xyz.shape[1], "columns": xyz.shape[2],

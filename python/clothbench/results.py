@@ -16,7 +16,7 @@ from dataclasses import dataclass, field
 CSV_MOST, H5_MOST, PIECE_MOST = 64 << 20, 4 << 30, 1 << 20  # bytes, bytes, numbers
 SEAL = "clothbench result file, sealed: "
 
-class Bad(Exception):
+class Bad(ValueError):
     """A file that cannot be read, with a sentence that names it."""
 
 def opened(path, most):
@@ -65,6 +65,27 @@ def number(words):
     except (TypeError, ValueError):
         return math.nan
     return value if math.isfinite(value) else math.nan
+
+def grouped(rows, *keys):
+    """{cell, or cells, of these columns: rows}, in their order."""
+    found = {}
+    for r in rows:
+        found.setdefault(tuple(r[k] for k in keys) if keys[1:] else r[keys[0]], []).append(r)
+    return found
+
+def where(rows, **cells):
+    return [r for r in rows if cells.items() <= r.items()]
+
+def best(rows):
+    """Of each model the contestant that is first to 1 %, else the nearest: [(seconds or inf, lowest
+    error, title, model, contestant)], best first."""
+    models = {}
+    for (title, model, who), runs in grouped(rows, "title", "model", "contestant").items():
+        runs = [(number(r["worst_rmse_over_length"]), number(r["seconds"])) for r in runs]
+        runs = [(error, seconds) for error, seconds in runs if seconds > 0 and error > 0]
+        near = min((seconds for error, seconds in runs if error <= 0.01), default=math.inf)
+        models.setdefault(model, []).extend([(near, min(runs)[0], title, model, who)] if runs else [])
+    return sorted(min(of) for of in models.values() if of)
 
 CELL = re.compile(r'"((?:[^"]|"")*)"|([^",\n]*)')
 
@@ -138,6 +159,10 @@ class Run:
     bodies: list
     facts: dict
 
+    def side_by_side(self):
+        """Positions [frame, v, u, component]: all sheets as one, beside each other along u."""
+        return self.xyz.swapaxes(1, 2).reshape(len(self.xyz), self.xyz.shape[2], -1, 3)
+
 def checked_seal(path, file):
     """Refuses a file that is no longer what its first line says."""
     file.seek(0)
@@ -181,7 +206,7 @@ def run(path, most=12, times=None, step=4):
             with h5py.File(raw, "r") as file:
                 return _run(numpy, path, file, most, times, step)
         except (OSError, KeyError, ValueError, RuntimeError, TypeError) as error:
-            raise Bad(f"{path}: cannot be read: {error}") from None
+            raise error if isinstance(error, Bad) else Bad(f"{path}: cannot be read: {error}") from None
 
 def is_quick(folder, most=20):
     """Whether one of the first runs of a folder says that it is of --quick: of less than its name says."""

@@ -5,8 +5,7 @@ import os
 
 import numpy
 
-from . import program
-from .frames import h5py
+from . import program, results
 
 Truth = collections.namedtuple("Truth", "t uv xyz bar source")
 
@@ -46,16 +45,10 @@ def _read_csv(name, lines):
     return Truth(t, table[0, :, 1:3], table[:, :, 3:], numpy.array([bars[k] for k in t]), source)
 
 def _read_h5(path):
-    with h5py().File(path, "r") as file:
-        if "xyz_time" not in file or "metrics/error" not in file:
-            raise ValueError("%s: is no truth of `clothbench truth`" % path)
-        t = file["xyz_time"][...]
-        layers = file["xyz"][...].astype(float)  # [time][w][v][u][3]
-        bar = file["metrics/error"][...][:len(t)]
-        source = file.attrs["note"]
-    grid = numpy.linspace(0, 1, layers.shape[3])
-    across = numpy.linspace(0, 1, layers.shape[2])
-    uv = numpy.stack(numpy.meshgrid(grid, across), -1).reshape(-1, 2)
-    xyz = layers.mean(1).reshape(len(t), -1, 3)
-    source = source.decode() if isinstance(source, bytes) else str(source)
-    return Truth(t, uv, xyz, bar, source)
+    run = results.run(path, most=1 << 30, step=1)
+    if run is None or len(run.bar) < len(run.time):
+        raise ValueError("%s: is no truth of `clothbench truth`" % path)
+    xyz = run.side_by_side()
+    grid = numpy.meshgrid(numpy.linspace(0, 1, xyz.shape[2]), numpy.linspace(0, 1, xyz.shape[1]))
+    return Truth(numpy.array(run.time), numpy.stack(grid, -1).reshape(-1, 2), xyz.reshape(len(xyz), -1, 3),
+                 numpy.array(run.bar), run.note)

@@ -56,7 +56,7 @@ def test_speed_has_the_best_of_each_model(tmp_path):
     assert [one[2] for one in page.best(t.rows)] == ["quick", "other", "far"]
     svg = page.speed_chart(t, "s")
     assert all(w in words_of(svg) for w in ("quick", "other", "far", "error bar")) and "slow" not in words_of(svg)
-    assert drawn(svg, charts.COLOURS["shell"]) == 1 and page.bar_of(t, "s") == 0.001
+    assert drawn(svg, charts.COLOURS["shell"]) == 1 and page.bar_of(t) == 0.001
     assert page.said_of_speed(t) == ("The least time to an error of 1 % of the length on edge_drop is 1.3 s, by "
                                      "quick; the next model, other, takes 2 times as long.")
 

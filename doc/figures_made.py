@@ -114,19 +114,17 @@ def table23():
     """Each over the row Fig. 12b; of Table 3 the last row, which alone is new."""
     plan = (TOP / "bench" / "plans" / "table2.yaml").read_text()
     captions = dict(re.findall(r'(\w+): \{caption: "([^"]*)"', plan))
-    unit, made = row(frames("table2"), study="fig12b"), []
-    for r in [*frames("table2"), frames("table3")[-1]]:
-        if "study" in r:
-            same, caption = {key: r[key] for key in ("study", "degree", "net") if key in r}, captions[r["study"]]
-        else:
-            same, caption = {key: r[key] for key in ("degree", "net")}, f"Table 3: {r['degree']} {r['net']}"
-            unit = frames("table3")[0]
-        linear = where(frames("table2" if "study" in r else "table3", "linear"), **same)
-        what, _, net = caption.partition(": ")
-        made.append([what, *net.split(), digits(r["frame_ms"], 3),
-                     digits(linear[0]["frame_ms"], 2) if linear else "-", f"{float(r['paper_ms']):.0f}",
-                     *(f"{float(r[key]) / float(unit[key]):.2f}" for key in ("frame_ms", "paper_ms"))])
-    return markdown(["", "degree", "net", "printed", "prefactored", "paper", "relative", "paper's"], made)
+
+    def line(name, r, unit, what, degree, net):
+        same = {key: r[key] for key in ("study", "degree", "net") if key in r}
+        linear = [digits(of["frame_ms"], 2) for of in where(frames(name, "linear"), **same)]
+        return [what, degree, net, digits(r["frame_ms"], 3), *(linear or "-"), f"{float(r['paper_ms']):.0f}",
+                *(f"{float(r[key]) / float(unit[key]):.2f}" for key in ("frame_ms", "paper_ms"))]
+
+    rows, (first, *_, last) = frames("table2"), frames("table3")
+    return markdown(["", "degree", "net", "printed", "prefactored", "paper", "relative", "paper's"], [
+        line("table2", r, row(rows, study="fig12b"), *captions[r["study"]].replace(": ", " ").rsplit(" ", 2))
+        for r in rows] + [line("table3", last, first, "Table 3", last["degree"], last["net"])])
 
 def table4():
     counts = part("table4", "Physics, or", "feasible")

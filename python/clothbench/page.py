@@ -169,16 +169,13 @@ def charts_of(table, title):
     elif table.has(*RUN_KEYS):  # those stand together, before all parts
         made = []
     elif table.has("level", "stepping_s", "to_finest_over_length"):
-        y = "error_over_length" if any(r.get("error_over_length") for r in table.rows) else \
-            "to_finest_over_length"
+        y, what, bar = "to_finest_over_length", "distance from the finest / length", None
+        if any(r.get("error_over_length") for r in table.rows):
+            y, what = "error_over_length", "error / length"
+            bar = number(table.rows[-1].get("error_bar_over_length"))
         last = {r["level"]: r for r in table.rows if r["level"] != "truth" and number(r[y]) > 0}
-        made = [(charts.lines(words, "seconds of stepping",
-                              "error / length" if y[0] == "e" else "distance from the finest / length",
-                              [(level, None, [(number(r["stepping_s"]), number(r[y]))])
-                               for level, r in last.items()][:charts.LINES_MOST],
-                              number(table.rows[-1].get("error_bar_over_length"))
-                              if y[0] == "e" and number(table.rows[-1].get("error_bar_over_length")) > 0
-                              else None), words)]
+        drawn = [(level, None, [(number(r["stepping_s"]), number(r[y]))]) for level, r in last.items()]
+        made = [(charts.lines(words, "seconds of stepping", what, drawn[:charts.LINES_MOST], bar), words)]
     elif table.has("time_s", "error_bar_over_length") and "growth" in table.keys:
         made = [(time_chart(table, words, "error_bar_over_length"), words)]
     elif table.has("file", "time_s", "error", "bar"):

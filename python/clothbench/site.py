@@ -6,11 +6,13 @@ import re
 import shutil
 import tempfile
 
-import jinja2
 import markdown
+from jinja2.utils import markupsafe
 
 from . import charts, page, results
 from .results import Bad
+
+Markup = markupsafe.Markup
 
 MARK = "clothbench.site"  # the file that says that a folder is a site, which may be replaced
 ENDINGS = {".html", ".svg"}
@@ -28,27 +30,23 @@ def check_target(target):
 
 def scene_page(name, scene, truth, table):
     """A scene: pictures of its truth, speed against error, the truth's error bars, its file."""
-    part, room, trouble = page.Part(name, name), page.Room(), []
+    part = page.Part(name, name)
     if truth.exists():
-        part.strips = page.strips([truth], None, room, trouble)
-        part.trouble = trouble
+        part.strips = page.strips([truth], None, page.Room(), part.trouble)
         for strip in part.strips:
             strip.label = "its truth"
-        try:
             made = results.run(truth, most=400)
             bars = [(t, 100 * b / made.length) for t, b in zip(made.time, made.bar) if b > 0]
             part.words.append(f"Truth: {made.note}.")
             svg = charts.lines(f"{name}: how well its motion is known", "time [s]", "error bar / length [%]",
                                [("truth’s error bar", charts.SOFT, bars)])
             part.charts += [(page.address(svg, "svg+xml"), "the truth’s error bar over time")] if svg else []
-        except Bad as bad:
-            part.trouble = [str(bad)]
     else:
         part.words.append("No truth of it is stored.")
     if table:
         svg = page.speed_chart(table, name)
         part.charts += [(page.address(svg, "svg+xml"), "error over seconds of work")] if svg else []
-    text = jinja2.utils.markupsafe.Markup("<h2>Its file</h2><pre>{}</pre>").format(scene.read_text())
+    text = Markup("<h2>Its file</h2><pre>{}</pre>").format(scene.read_text())
     return page.rendered(title=f"The scene {name}", links=LINKS, lead=[], parts=[part], html=text)
 
 def manual_page(path, names):
@@ -68,42 +66,40 @@ def manual_page(path, names):
 
     html = re.sub(r'href="([^"]*)"', link, html)
     html = re.sub(r'src="(?:doc/)?([^"/]*)"', r'src="\1"', html)
-    title = re.search("^# (.*)", text, re.M)
-    return page.rendered(title=title[1] if title else path.stem, bare=True, links=LINKS, lead=[],
-                         html=jinja2.utils.markupsafe.Markup(html))
+    return page.rendered(title=title_of(path, path.stem), bare=True, links=LINKS, lead=[], html=Markup(html))
 
-def table_of(title, caption, rows):
-    """A page with a list of links."""
-    row = jinja2.utils.markupsafe.Markup('<tr><td><a href="{}">{}</a></td><td>{}</td></tr>')
-    html = jinja2.utils.markupsafe.Markup("<p>{}</p><table>").format(caption) + \
-        jinja2.utils.markupsafe.Markup("").join(row.format(*r) for r in rows) + \
-        jinja2.utils.markupsafe.Markup("</table>")
-    return page.rendered(title=title, links=LINKS, lead=[], html=html)
+def title_of(path, otherwise):
+    """The words behind the first # of a file."""
+    found = re.search(r"^# *(.*)", path.read_text(), re.M)
+    return found[1] if found else otherwise
+
+def contents(title, words, rows):
+    """A page with a list of links [(address, name, words)]."""
+    row = Markup('<tr><td><a href="{}">{}</a></td><td>{}</td></tr>')
+    html = Markup("<table>{}</table>").format(Markup("").join(row.format(*r) for r in rows))
+    return page.rendered(title=title, links=LINKS, lead=words, html=html)
 
 def fill(folder, source):
     """Writes all pages into an empty folder."""
     room = page.Room()
     room.left = 0  # tables alone: the index has the pictures
     speeds = dict(page.speeds_of(page.parts_of(pathlib.Path(source), room)))
-    (folder / "index.html").write_text(page.report(source, links=LINKS))
     scenes = sorted(results.shared("scenes", "models/scenes").glob("*.yaml"))
-    for scene in scenes:
-        truth = results.shared("truths", "bench/truths") / f"{scene.stem}.h5"
-        (folder / f"scene_{scene.stem}.html").write_text(
-            scene_page(scene.stem, scene, truth, speeds.get(scene.stem)))
-    first = {s: re.search(r"^# *(.*)", s.read_text(), re.M) for s in scenes}
-    (folder / "scenes.html").write_text(table_of("Scenes", "What each is, by its file.", [
-        (f"scene_{s.stem}.html", s.stem, first[s][1] if first[s] else "") for s in scenes]))
-    manual = results.shared("manual", "doc")
+    truths, manual = results.shared("truths", "bench/truths"), results.shared("manual", "doc")
     pages = sorted(manual.glob("*.md"))
-    for path in pages:
-        (folder / f"manual_{path.stem}.html").write_text(manual_page(path, {p.stem for p in pages}))
+    made = {"index.html": page.report(source, links=LINKS),
+            MARK: "clothbench report --site writes this folder, and replaces it.\n",
+            "scenes.html": contents("Scenes", ["What each is, by its file."], [
+                (f"scene_{s.stem}.html", s.stem, title_of(s, "")) for s in scenes]),
+            "manual.html": contents("The manual", [], [
+                (f"manual_{p.stem}.html", title_of(p, p.stem), "") for p in pages])}
+    made |= {f"scene_{s.stem}.html": scene_page(s.stem, s, truths / f"{s.stem}.h5", speeds.get(s.stem))
+             for s in scenes}
+    made |= {f"manual_{p.stem}.html": manual_page(p, {p.stem for p in pages}) for p in pages}
+    for name, text in made.items():
+        (folder / name).write_text(text)
     for path in manual.glob("*.svg"):
         shutil.copyfile(path, folder / path.name)
-    titles = {p: re.search(r"^# (.*)", p.read_text(), re.M) for p in pages}
-    (folder / "manual.html").write_text(table_of("The manual", "", [
-        (f"manual_{p.stem}.html", titles[p][1] if titles[p] else p.stem, "") for p in pages]))
-    (folder / MARK).write_text("clothbench report --site writes this folder, and replaces it.\n")
 
 def make(source, target):
     """The site appears with all of its pages, or not at all; one that is there is replaced."""

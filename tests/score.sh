@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # `clothbench score` as it is met: one scene, a folder of several, its formats; what is wrong
-# is a sentence, nothing on standard output, and exit 2. (What it finds: score.c.)
+# is a sentence, nothing on standard output, and exit 2. (What it finds: pages/test_score.py.)
 #   score.sh CLOTHBENCH SOURCE
 # shellcheck source=tests/fixture.sh
 . "$(dirname "$0")/fixture.sh"

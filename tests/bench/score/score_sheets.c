@@ -1,12 +1,11 @@
-/* Nets of several sheets: each is taken for itself, whatever stands beside it in a row. */
+/* Nets of several sheets: each is taken for itself, whatever stands beside it in a row; and
+ * the times of a truth at which frames are held against it. */
+#include "bench/score/score.h"
+
 #include "bench/score/score_contact.h"
-
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "models/grid.h"
-#include "tests/check.h"
+#include "tests/scratch.h"
+#include "tests/truth_fixture.h"
 
 enum { SHEETS = 3, N = 8, M = 5, ROW = SHEETS * N, VERTICES = ROW * M };
 static const double ROUNDING = 1e-12; /* of sums of numbers up to 20 */
@@ -138,8 +137,27 @@ static void meets(bool faces)
     }
 }
 
+/* A stored truth without times at which tables judge is held against at its last one. */
+static void chosen(void)
+{
+    static const char *const undamped[] = {"damping={kind: none}"};
+    struct truth made;
+    struct score_truth t;
+
+    scratch_open();
+    REQUIRE(truth_init(&made, 2, 2, (double[]){.02, .04}) == STATUS_OK);
+    made.foreign = true;
+    write_truth(scratch_path("edge_drop.h5"), &made, 1, undamped);
+    truth_clear(&made);
+    REQUIRE(setenv("CLOTHBENCH_TRUTHS", scratch, 1) == 0);
+    REQUIRE(score_truth_read("edge_drop", &t, NULL) == STATUS_OK);
+    CHECK(t.times == 1 && t.at[0] == 1 && t.known.claimed == 2);
+    score_truth_clear(&t);
+}
+
 int main(void)
 {
+    chosen();
     REQUIRE(scene_init(&scene) == STATUS_OK);
     scene.sheets = SHEETS;
     for (int k = 0; k < SHEETS; k++)

@@ -297,9 +297,9 @@ static bool may_be_run(const char *path)
     return frames_is_name(path) || folder_is(path);
 }
 
-static enum status read_run(struct arena *arena, const char *path, const char *scene,
-                            const struct score_look *look, struct protocol_scene *to,
-                            struct message *why)
+static enum status read_run(struct arena *arena, const char *path,
+                            const struct score_truth *truth, const struct score_look *look,
+                            struct protocol_scene *to, struct message *why)
 {
     struct protocol_run *run = &to->run[to->runs++];
     struct score s = {.frames = 0};
@@ -309,11 +309,10 @@ static enum status read_run(struct arena *arena, const char *path, const char *s
     parse_name(base_of(path), run);
     struct score_look own = *look;
     own.frames.dt = run->dt > 0 ? run->dt : look->frames.dt;
-    TRY(score_read(scene, 1, &path, &own, &s, why));
+    TRY(score_read(truth, 1, &path, &own, &s, why));
     const int side = (int)lround(sqrt(s.net.vertices));
     run->net[0] = s.net.points[0] ? s.net.points[0] : s.net.columns ? s.net.columns : side;
     run->net[1] = s.net.points[1] ? s.net.points[1] : s.net.columns ? s.net.rows : side;
-    to->length = s.truth.scene.length;
     keep(arena, &s, run);
 out:
     score_clear(&s);
@@ -340,6 +339,7 @@ static enum status read_scene(struct arena *arena, const char *path,
                               struct message *why)
 {
     struct frames_folder folder = {0};
+    struct score_truth truth = {0};
     char own[PATH];
     enum status st;
 
@@ -354,9 +354,11 @@ static enum status read_scene(struct arena *arena, const char *path,
                         "%s: has no frames in it; a file a net, %s/21x21.csv, would be "
                         "right",
                         path, to->name));
+    TRY(score_truth_read(to->own ? own : to->name, &truth, why));
+    to->length = truth.scene.length;
     to->run = arena_take(arena, (size_t)folder.count, sizeof *to->run);
     for (int n = 0; n < folder.count; n++)
-        TRY(read_run(arena, folder.path[n], to->own ? own : to->name, look, to, why));
+        TRY(read_run(arena, folder.path[n], &truth, look, to, why));
     qsort(to->run, (size_t)to->runs, sizeof *to->run, compare_runs);
     for (int n = 1; n < to->runs; n++)
         if (!compare_runs(&to->run[n - 1], &to->run[n]))
@@ -366,6 +368,7 @@ static enum status read_scene(struct arena *arena, const char *path,
                             path, base_of(to->run[n - 1].file), base_of(to->run[n].file)));
 out:
     frames_folder_clear(&folder);
+    score_truth_clear(&truth);
     return st;
 }
 

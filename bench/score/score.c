@@ -77,42 +77,6 @@ static void choose_times(struct score_truth *t)
             t->at[t->times++] = n;
 }
 
-enum status score_truth_read(const char *scene, struct score_truth *t, struct message *why)
-{
-    struct settings settings = {0};
-    char *path = NULL;
-    enum status st;
-
-    memset(t, 0, sizeof *t);
-    TRY(scene_file_find(scene, &path, why));
-    TRY(truth_plan_scene(path, &settings, &t->scene, why));
-    t->undamped = settings.count > 0;
-    TRY(take_known(t, why));
-    if (!t->known.claimed)
-        TRY(take_formula(scene, path, &settings, t, why));
-    choose_times(t);
-    for (int n = 0; n < t->known.claimed; n++)
-        flatten(t->known.xyz[n]);
-    /* what nothing holds falls as one body, on parabolas or nearly so */
-    t->moves = t->known.claimed > 2 && (t->moves || t->known.closed);
-    t->rest = arena_keep(&t->arena, metric_rest_field(&t->scene));
-    flatten(t->rest);
-out:
-    settings_clear(&settings);
-    free(path);
-    if (st != STATUS_OK)
-        score_truth_clear(t);
-    return st;
-}
-
-void score_truth_clear(struct score_truth *t)
-{
-    scene_clear(&t->scene);
-    truth_clear(&t->known);
-    arena_clear(&t->arena);
-    memset(t, 0, sizeof *t);
-}
-
 #define SCENE "edge_drop"
 enum { TIMES_MOST = 1000 };
 
@@ -206,6 +170,44 @@ out:
     return st == STATUS_UNSUPPORTED ? STATUS_INPUT : st;
 }
 
+enum status score_truth_read(const char *scene, struct score_truth *t, struct message *why)
+{
+    struct settings settings = {0};
+    char *path = NULL;
+    enum status st;
+
+    memset(t, 0, sizeof *t);
+    t->given = arena_print(&t->arena, "%s", scene);
+    TRY(scene_file_find(scene, &path, why));
+    TRY(truth_plan_scene(path, &settings, &t->scene, why));
+    t->undamped = settings.count > 0;
+    TRY(take_known(t, why));
+    if (!t->known.claimed)
+        TRY(take_formula(scene, path, &settings, t, why));
+    choose_times(t);
+    for (int n = 0; n < t->known.claimed; n++)
+        flatten(t->known.xyz[n]);
+    /* what nothing holds falls as one body, on parabolas or nearly so */
+    t->moves = t->known.claimed > 2 && (t->moves || t->known.closed);
+    t->rest = arena_keep(&t->arena, metric_rest_field(&t->scene));
+    flatten(t->rest);
+    TRY(score_ladder_read(&t->arena, &t->scene, &t->ladder, why));
+out:
+    settings_clear(&settings);
+    free(path);
+    if (st != STATUS_OK)
+        score_truth_clear(t);
+    return st;
+}
+
+void score_truth_clear(struct score_truth *t)
+{
+    scene_clear(&t->scene);
+    truth_clear(&t->known);
+    arena_clear(&t->arena);
+    memset(t, 0, sizeof *t);
+}
+
 const double *score_ladder_rung(const struct score_ladder *l, int rung, int time)
 {
     return l->rung + 3L * LADDER_POINTS * (rung * l->times + time);
@@ -294,10 +296,10 @@ static void view_take(struct score_view *v, double t, const double *xyz)
 void score_coarse_rest(const struct score *s, double *rest)
 {
     for (int n = 0; n < LADDER_POINTS; n++) {
-        const struct scene *scene = &s->truth.scene;
+        const struct scene *scene = &s->truth->scene;
         const double uv[2] = {scene_sheet_inside(scene, n % LADDER_U / (LADDER_U - 1.)),
                               n / LADDER_U / (LADDER_V - 1.)};
-        score_net_sample(scene->sheets, GRID_U, GRID_V, s->truth.rest, uv, rest + 3 * n);
+        score_net_sample(scene->sheets, GRID_U, GRID_V, s->truth->rest, uv, rest + 3 * n);
     }
 }
 
@@ -316,13 +318,13 @@ void score_path(const struct score *s, double time, double *field)
 
 static void make_path(struct score *s)
 {
-    const struct truth *known = &s->truth.known;
+    const struct truth *known = &s->truth->known;
     const size_t size = 3 * (size_t)LADDER_POINTS;
 
     s->path = arena_take(&s->arena, ((size_t)known->claimed + 1) * size, sizeof *s->path);
     for (int n = 0; n <= known->claimed; n++)
-        score_seen(s, &s->fine.map, GRID_U, GRID_V, n ? known->xyz[n - 1] : s->truth.rest,
-                   s->path + size * (size_t)n);
+        score_map_seen(&s->fine.map, GRID_U, GRID_V, n ? known->xyz[n - 1] : s->truth->rest,
+                       s->path + size * (size_t)n);
 }
 
 /* Fills truth[SCORE_POINTS][3] at any time. */
@@ -345,9 +347,9 @@ static void truth_at(const struct score_truth *t, double time, double *truth)
 static void take_start(struct score *s, const double *xyz)
 {
     double rest[3 * LADDER_POINTS], *part = score_view_field(&s->fine, s->fine.times);
-    const struct truth *known = &s->truth.known;
+    const struct truth *known = &s->truth->known;
     const bool at_rest = fabs(s->first) <= SCORE_SAME_TIME,
-               later = s->truth.moves && s->first > 0 &&
+               later = s->truth->moves && s->first > 0 &&
                        s->first <= known->time[known->claimed - 1];
 
     score_coarse_rest(s, rest);
@@ -359,15 +361,15 @@ static void take_start(struct score *s, const double *xyz)
         return;
     double *then = arena_take(&s->arena, 3 * SCORE_POINTS, sizeof *then);
     if (at_rest) {
-        memcpy(then, s->truth.rest, 3 * SCORE_POINTS * sizeof *then);
+        memcpy(then, s->truth->rest, 3 * SCORE_POINTS * sizeof *then);
     } else {
-        truth_at(&s->truth, s->first, then);
+        truth_at(s->truth, s->first, then);
         score_path(s, s->first, rest);
     }
     score_start_turn(LADDER_POINTS, rest, part, score_rms(LADDER_POINTS, part, rest),
-                     s->truth.scene.length, &s->turn);
+                     s->truth->scene.length, &s->turn);
     if (!s->net.by_position)
-        score_start_strays(&s->truth.scene, &s->net, then, xyz, &s->strays);
+        score_start_strays(&s->truth->scene, &s->net, then, xyz, &s->strays);
     if (later &&
         !s->strays.exchanged) /* part of a sheet may have moved otherwise by then */
         s->strays.count = 0;
@@ -380,7 +382,7 @@ static enum status make_net(struct score *s, const struct frames *frames,
 {
     const char *name = frames_name(frames);
     const struct frames_net *net = frames_net(frames);
-    const struct scene *scene = &s->truth.scene;
+    const struct scene *scene = &s->truth->scene;
     double *rest = NULL;
     struct arena *arena = &s->arena;
     enum status st;
@@ -428,7 +430,7 @@ static void take_own(struct score *s, int numbers, double *const x[4], const dou
                  off = fmax(self - times * dot, 0), whole = round(jump / s->interval),
                  moved = fabs(jump) * sqrt(3 * square / numbers);
     if (whole == 0 || fabs(jump / s->interval - whole) > WHOLE || change > square ||
-        off > LEFT * LEFT * far || moved < LEAST * s->truth.scene.length ||
+        off > LEFT * LEFT * far || moved < LEAST * s->truth->scene.length ||
         off / far >= s->own.left)
         return;
     s->own.jump = jump, s->own.from = t[1], s->own.left = off / far;
@@ -480,45 +482,29 @@ out:
     return st;
 }
 
-void score_seen(const struct score *s, const struct score_map *map, int nu, int nv,
-                const double *field, double *seen)
-{
-    memset(seen, 0, 3 * (size_t)map->nu * (size_t)map->nv * sizeof *seen);
-    for (int p = 0; p < map->nu * map->nv; p++)
-        for (int k = 0; k < 4; k++) {
-            const double weight = map->weight[p][k];
-            double x[3];
-            if (weight == 0)
-                continue;
-            score_net_sample(s->truth.scene.sheets, nu, nv, field,
-                             s->net.uv + 2L * map->vertex[p][k], x);
-            for (int c = 0; c < 3; c++)
-                seen[3 * p + c] += weight * x[c];
-        }
-}
-
 /* Makes a row of each time that has a frame. */
 static void judge(struct score *s)
 {
-    const struct truth *known = &s->truth.known;
-    const double length = s->truth.scene.length;
-    const size_t times = (size_t)s->truth.times;
+    const struct truth *known = &s->truth->known;
+    const double length = s->truth->scene.length;
+    const size_t times = (size_t)s->truth->times;
 
     for (int n = s->fine.times - 1; n > 0; n--) /* a frame counts once */
         if (s->fine.when[n] == s->fine.when[n - 1])
             s->fine.when[n] = NAN;
     s->row = arena_take(&s->arena, times, sizeof *s->row);
     double *truths = arena_take(&s->arena, times * 6 * SCORE_POINTS, sizeof *truths);
-    for (int n = 0; n < s->truth.times; n++) {
-        const int at = s->truth.at[n];
+    for (int n = 0; n < s->truth->times; n++) {
+        const int at = s->truth->at[n];
         double *truth = truths + 6L * SCORE_POINTS * s->times,
                *seen = truth + 3L * SCORE_POINTS;
         const double when = s->grid.when[n];
         if (isnan(when))
             continue;
-        const bool moved = s->truth.moves && fabs(when - known->time[at]) > SCORE_SAME_TIME;
+        const bool moved =
+            s->truth->moves && fabs(when - known->time[at]) > SCORE_SAME_TIME;
         if (moved)
-            truth_at(&s->truth, when, truth);
+            truth_at(s->truth, when, truth);
         struct score_time *row = &s->row[s->times++];
         *row = (struct score_time){.time = known->time[at],
                                    .moved = moved,
@@ -527,7 +513,7 @@ static void judge(struct score *s)
                                    .truth = moved ? truth : known->xyz[at],
                                    .seen = seen,
                                    .got = score_view_field(&s->grid, n)};
-        score_seen(s, &s->grid.map, GRID_U, GRID_V, row->truth, seen);
+        score_map_seen(&s->grid.map, GRID_U, GRID_V, row->truth, seen);
         row->error = score_rms(SCORE_POINTS, row->got, row->truth) / length;
         row->floor = score_rms(SCORE_POINTS, seen, row->truth) / length;
         row->floor = row->floor < ROUNDING ? 0 : row->floor;
@@ -537,17 +523,17 @@ static void judge(struct score *s)
 /* Sets the times at which frames are looked at. */
 static void begin(struct score *s)
 {
-    const struct truth *known = &s->truth.known;
+    const struct truth *known = &s->truth->known;
 
-    view_init(&s->arena, &s->grid, s->truth.times, GRID_U, GRID_V);
+    view_init(&s->arena, &s->grid, s->truth->times, GRID_U, GRID_V);
     view_init(&s->arena, &s->fine, known->claimed, LADDER_U, LADDER_V);
     for (int n = 0; n < s->grid.times; n++)
-        s->grid.time[n] = known->time[s->truth.at[n]];
+        s->grid.time[n] = known->time[s->truth->at[n]];
     memcpy(s->fine.time, known->time, (size_t)known->claimed * sizeof *known->time);
-    s->grid.after = known->closed && !s->truth.moves;
-    s->grid.reach = s->truth.moves || s->grid.after ? REACH : SCORE_SAME_TIME;
+    s->grid.after = known->closed && !s->truth->moves;
+    s->grid.reach = s->truth->moves || s->grid.after ? REACH : SCORE_SAME_TIME;
     s->fine.reach = known->time[known->claimed - 1] / known->claimed / 2 + SCORE_SAME_TIME;
-    s->fine.reach = s->truth.moves ? fmin(s->fine.reach, REACH) : SCORE_SAME_TIME;
+    s->fine.reach = s->truth->moves ? fmin(s->fine.reach, REACH) : SCORE_SAME_TIME;
 }
 
 /* Refuses frames that end before the truth begins or begin after its end. */
@@ -562,24 +548,21 @@ static enum status check_times(const struct score *s, const char *path, struct m
     return status_fail(why, STATUS_INPUT,
                        "%s: its frames run from %g to %g s, the truth of %s from %g to %g "
                        "s; frames at times of both would be right",
-                       path, s->first, s->last, s->truth.scene.name, from, to);
+                       path, s->first, s->last, s->truth->scene.name, from, to);
 }
 
-enum status score_read(const char *scene, int count, const char *const *paths,
+enum status score_read(const struct score_truth *truth, int count, const char *const *paths,
                        const struct score_look *look, struct score *s, struct message *why)
 {
     struct frames *frames = NULL;
     enum status st;
 
-    memset(s, 0, sizeof *s);
-    s->interval = s->own.left = INFINITY;
-    TRY(score_truth_read(scene, &s->truth, why));
-    TRY(score_ladder_read(&s->arena, &s->truth.scene, &s->ladder, why));
+    *s = (struct score){.truth = truth, .interval = INFINITY, .own.left = INFINITY};
     begin(s);
     TRY(frames_open(count, paths, &look->frames, &frames, why));
-    if (frames_scene(frames) && strcmp(frames_scene(frames), s->truth.scene.name) != 0)
+    if (frames_scene(frames) && strcmp(frames_scene(frames), s->truth->scene.name) != 0)
         TRY(status_fail(why, STATUS_INPUT, "%s: is a run of %s; one of %s would be right",
-                        paths[0], frames_scene(frames), s->truth.scene.name));
+                        paths[0], frames_scene(frames), s->truth->scene.name));
     TRY(read_frames(s, frames, look, why));
     judge(s);
     TRY(check_times(s, paths[0], why));
@@ -588,7 +571,7 @@ enum status score_read(const char *scene, int count, const char *const *paths,
                         "%s: no frame is at a time of the truth, or within 25 ms of one "
                         "at which it moves; frames at the times of clothbench truth %s "
                         "--stored would be right",
-                        paths[0], scene));
+                        paths[0], truth->given));
 out:
     frames_close(frames);
     if (st != STATUS_OK)
@@ -598,7 +581,6 @@ out:
 
 void score_clear(struct score *s)
 {
-    score_truth_clear(&s->truth);
     score_contact_clear(&s->contact);
     arena_clear(&s->arena);
     memset(s, 0, sizeof *s);

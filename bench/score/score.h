@@ -59,6 +59,7 @@ enum { SCORE_EVERY = 9, SCORE_SIDE = (GRID_U - 1) / SCORE_EVERY + 1 };
 enum { SCORE_FEW = SCORE_SIDE * SCORE_SIDE };
 
 struct score_truth {
+    const char *given;  /* the scene's name or path                                     */
     struct scene scene; /* as the truth moves: undamped where damping is no rate        */
     bool undamped;      /* the scene is damped, and its truth is not                    */
     int times;          /* at which frames are judged                                   */
@@ -67,12 +68,13 @@ struct score_truth {
     struct truth known; /* the first layer of each field is the middle surface,
                            [SCORE_POINTS][3] [m]                                        */
     double *rest;       /* the same of the sheet at rest                                */
-    struct arena arena; /* of both                                            owned     */
+    struct score_ladder ladder;
+    struct arena arena; /* of all                                             owned     */
 };
 
-/* Finds the truth of a scene by name or path: a closed form or a stored truth; runs
- * nothing. STATUS_INPUT: there is no such scene, or no truth of it is known. Free with
- * score_truth_clear. */
+/* Finds the truth of a scene by name or path, a closed form or a stored truth, and its
+ * ladder; runs nothing. STATUS_INPUT: there is no such scene, or no truth of it is known,
+ * or the ladder is damaged. Free with score_truth_clear. */
 enum status score_truth_read(const char *scene, struct score_truth *truth,
                              struct message *why);
 void score_truth_clear(struct score_truth *truth); /* all-zero is allowed, and left */
@@ -119,8 +121,7 @@ struct score_time {
 };
 
 struct score {
-    struct score_truth truth;
-    struct score_ladder ladder;
+    const struct score_truth *truth; /*                                       borrowed  */
     struct score_net net;
     struct score_contact contact;
     struct score_view grid; /* on the material grid, near the times that are judged */
@@ -131,7 +132,7 @@ struct score {
     struct score_turn turn;
     int times;
     struct score_time *row; /* [times]                                                  */
-    struct arena arena;     /* of all arrays, but the truth's                   owned   */
+    struct arena arena;     /* of all arrays                                    owned   */
     int frames, repeats;    /* count; those equal to the one before                     */
     double first, last, interval; /* frames' times, shortest interval [s]                */
     struct {
@@ -143,20 +144,15 @@ struct score {
     double begin[3]; /* the same on average over the sheet, with its direction [m]      */
 };
 
-/* Reads all frames of paths[count]; times >= 1. STATUS_INPUT with a sentence. Free with
- * score_clear. */
-enum status score_read(const char *scene, int count, const char *const *paths,
+/* Reads all frames of paths[count] against a truth, which is borrowed until the score is
+ * cleared; times >= 1. STATUS_INPUT with a sentence. Free with score_clear. */
+enum status score_read(const struct score_truth *truth, int count, const char *const *paths,
                        const struct score_look *look, struct score *score,
                        struct message *why);
 void score_clear(struct score *score); /* all-zero is allowed, and left */
 
 /* Returns the field of the n-th time. */
 double *score_view_field(const struct score_view *view, int n);
-
-/* Samples a field [nv][nu][3] at the map's points, bilinearly between the net's vertices.
- */
-void score_seen(const struct score *score, const struct score_map *map, int nu, int nv,
-                const double *field, double *seen);
 
 /* Fills field[LADDER_POINTS][3] with the truth at any time, between the net's vertices;
  * truth.moves holds. */

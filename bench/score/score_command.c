@@ -36,15 +36,18 @@ out:
 static enum status score_one(struct job *j, const char *scene, int count,
                              const char *const *paths, struct message *why)
 {
+    struct score_truth truth;
     struct score s = {.frames = 0};
     struct score_diagnosis d;
     enum status st;
 
-    TRY(score_read(scene, count, paths, &j->look, &s, why));
+    TRY(score_truth_read(scene, &truth, why));
+    TRY(score_read(&truth, count, paths, &j->look, &s, why));
     score_diagnosis_make(&s, &d);
     score_print_add(&j->sheet, &s, &d);
 out:
     score_clear(&s);
+    score_truth_clear(&truth);
     return st;
 }
 

@@ -122,8 +122,8 @@ static void fill_effect(const struct score *s, const double *fields, const doubl
 {
     double field[3 * LADDER_POINTS];
 
-    ladder_at(&s->ladder, fields, rest, t, field);
-    score_seen(s, &s->fine.map, LADDER_U, LADDER_V, field, column);
+    ladder_at(&s->truth->ladder, fields, rest, t, field);
+    score_map_seen(&s->fine.map, LADDER_U, LADDER_V, field, column);
     for (int n = 0; n < 3 * LADDER_POINTS; n++)
         column[n] = (column[n] - base[n]) / size;
 }
@@ -133,11 +133,11 @@ static void add_ladder_time(const struct score *s, int frame, const double *rest
 {
     static const int flaws[LADDER_FLAWS] = {DAMPING, GRAVITY, STRETCH, HINGE};
     static const double none[3 * LADDER_POINTS];
-    const struct score_ladder *l = &s->ladder;
+    const struct score_ladder *l = &s->truth->ladder;
     const double
         size[LADDER_FLAWS] = {l->size[LADDER_DAMPING], l->size[LADDER_GRAVITY] - 1, 1, 1},
         t = s->fine.when[frame], *got = score_view_field(&s->fine, frame),
-        *fields = score_ladder_rung(l, LADDER_BASE, 0), length = s->truth.scene.length,
+        *fields = score_ladder_rung(l, LADDER_BASE, 0), length = s->truth->scene.length,
         bar = l->bar[LADDER_BASE * l->times + (int)fmin(t / l->time[0], l->times - 1)];
     double truth[3 * LADDER_POINTS], base[3 * LADDER_POINTS], before[3 * LADDER_POINTS];
 
@@ -163,7 +163,7 @@ static void add_ladder_time(const struct score *s, int frame, const double *rest
 
 static void add_ladder(const struct score *s, const double shift[3], struct sums *sums)
 {
-    const double last = s->ladder.time[s->ladder.times - 1] + MOMENT;
+    const double last = s->truth->ladder.time[s->truth->ladder.times - 1] + MOMENT;
     double rest[3 * LADDER_POINTS];
 
     score_coarse_rest(s, rest);
@@ -190,7 +190,7 @@ static bool falls_free(const struct scene *scene)
 
 static void add_fall(const struct score *s, const double shift[3], struct sums *sums)
 {
-    const double length = s->truth.scene.length, *rest = s->path;
+    const double length = s->truth->scene.length, *rest = s->path;
     double truth[3 * LADDER_POINTS];
 
     for (int frame = 0; frame < s->fine.times; frame++) {
@@ -341,9 +341,9 @@ static void score_fit_make(const struct score *score, const double shift[3],
     struct sums sums = {.noise = 0};
 
     memset(fit, 0, sizeof *fit);
-    if (score->ladder.times > 2)
+    if (score->truth->ladder.times > 2)
         add_ladder(score, shift, &sums);
-    else if (falls_free(&score->truth.scene) && score->truth.moves)
+    else if (falls_free(&score->truth->scene) && score->truth->moves)
         add_fall(score, shift, &sums);
     const unsigned set = choose(&sums);
     const struct trial t = best_of(&sums, set);
@@ -354,7 +354,7 @@ static void score_fit_make(const struct score *score, const double shift[3],
     }
     fit->at_end = t.stiffness <= 0 || t.stiffness >= 1;
     if (fit->has[FIT_BENDING]) {
-        const double *scale = score->ladder.scale;
+        const double *scale = score->truth->ladder.scale;
         fit->value[FIT_BENDING] =
             scale[0] * pow(scale[LADDER_RUNGS - 1] / scale[0], t.stiffness);
     }
@@ -511,7 +511,7 @@ static bool is_better(double error, double as_is)
 /* Returns the best of all candidates; the frames as they are, if nothing is much better. */
 static struct turned best_turn(const struct score *s)
 {
-    const double length = s->truth.scene.length;
+    const double length = s->truth->scene.length;
     const int points = s->times * SCORE_FEW;
     struct turned as_is = candidate(0), best = as_is;
     double least = squared(s, &as_is, INFINITY);
@@ -549,24 +549,32 @@ enum { STEPS = 210, HALVINGS = 20 };
 /* A single time would be met by many speeds. */
 enum { TIMES_LEAST = 2 };
 
-/* Returns the clock with its errors, which stay NaN where too few frames have a truth. */
-static struct clock compare(const struct score *s, double speed, double shift)
+/* Returns the squared rms distance of a frame from the truth at a time. */
+static double square_off(const struct score *s, int frame, double time)
 {
-    const double last = s->fine.time[s->fine.times - 1], length = s->truth.scene.length;
+    double field[3 * LADDER_POINTS];
+
+    score_path(s, time, field);
+    return pow(score_rms(LADDER_POINTS, score_view_field(&s->fine, frame), field), 2);
+}
+
+/* Returns the clock with its errors, which stay NaN where too few frames have a truth;
+ * as_is[fine.times]: squared distances of the frames as they are. */
+static struct clock compare(const struct score *s, const double *as_is, double speed,
+                            double shift)
+{
+    const double last = s->fine.time[s->fine.times - 1], length = s->truth->scene.length;
     struct clock clock = {speed, shift, NAN, NAN};
-    double sum[2] = {0, 0}, field[3 * LADDER_POINTS];
+    double sum[2] = {0, 0};
     int times = 0;
 
     for (int n = 0; n < s->fine.times; n++) {
-        const double t = s->fine.when[n], then = fmax(speed * t + shift, 0),
-                     *got = score_view_field(&s->fine, n);
+        const double t = s->fine.when[n], then = fmax(speed * t + shift, 0);
         if (!(t >= 0 && then <= last)) /* NaN: no frame */
             continue;
         times++;
-        score_path(s, then, field);
-        sum[0] += pow(score_rms(LADDER_POINTS, got, field), 2);
-        score_path(s, t, field);
-        sum[1] += pow(score_rms(LADDER_POINTS, got, field), 2);
+        sum[0] += square_off(s, n, then);
+        sum[1] += as_is[n];
     }
     if (times < TIMES_LEAST)
         return clock;
@@ -582,18 +590,18 @@ static double share(const struct clock *c)
 }
 
 /* Returns the best speed between an eighth and eight. */
-static struct clock best_pace(const struct score *s)
+static struct clock best_pace(const struct score *s, const double *as_is)
 {
     struct clock best = {1, 0, 0, 0};
     double step = STEP;
 
     for (int n = -STEPS; n <= STEPS; n++) {
-        const struct clock p = compare(s, pow(STEP, n), 0);
+        const struct clock p = compare(s, as_is, pow(STEP, n), 0);
         best = share(&p) < share(&best) ? p : best;
     }
     for (int n = 0; n < HALVINGS; n++, step = sqrt(step)) {
-        const struct clock less = compare(s, best.speed / step, 0),
-                           more = compare(s, best.speed * step, 0);
+        const struct clock less = compare(s, as_is, best.speed / step, 0),
+                           more = compare(s, as_is, best.speed * step, 0);
         best = share(&less) < share(&best) ? less : best;
         best = share(&more) < share(&best) ? more : best;
     }
@@ -645,7 +653,7 @@ static struct lead find_lead(const struct score *s, int frame, double lead)
     const double left = score_rms(LADDER_POINTS, got, at),
                  way = score_rms(LADDER_POINTS, got, s->path);
     return (struct lead){t, lead, sqrt(square / LADDER_POINTS), left,
-                         t + lead <= last && left <= SOUND_MOST * s->truth.scene.length +
+                         t + lead <= last && left <= SOUND_MOST * s->truth->scene.length +
                                                          SOUND_SHARE * way};
 }
 
@@ -675,7 +683,7 @@ static double drift(const struct lead *lead, int count, int n)
 /* Returns the first lead behind the jump that stands out most; -1: none does. */
 static int find_jump(const struct score *s, const struct lead *lead, int count)
 {
-    const double least = JUMP_LEAST * s->truth.scene.length;
+    const double least = JUMP_LEAST * s->truth->scene.length;
     double most = JUMP_TIMES;
     int at = -1;
 
@@ -701,18 +709,21 @@ static struct times find_times(const struct score *s)
     struct times times = {.lag = {1, 0, 0, 0}, .pace = {1, 0, 0, 0}};
     struct arena own = {0};
 
-    if (!s->truth.moves)
+    if (!s->truth->moves)
         return times;
     struct lead *lead = arena_take(&own, (size_t)s->fine.times, sizeof *lead);
+    double *as_is = arena_take(&own, (size_t)s->fine.times, sizeof *as_is);
+    for (int n = 0; n < s->fine.times; n++)
+        as_is[n] = isnan(s->fine.when[n]) ? 0 : square_off(s, n, s->fine.when[n]);
     const int count = find_leads(s, lead), at = find_jump(s, lead, count);
     if (at > 0)
         times.jump = lead[at].lead - lead[at - 1].lead, times.from = lead[at].time;
     else if (s->repeats < 2) /* where many stand twice, it is another pace */
         times.jump = s->own.jump, times.from = s->own.from, times.own = true;
     if (count)
-        times.lag = compare(s, 1, lead[count / 2].lead);
-    if (!s->truth.known.closed) /* in a free fall it is another gravity */
-        times.pace = best_pace(s);
+        times.lag = compare(s, as_is, 1, lead[count / 2].lead);
+    if (!s->truth->known.closed) /* in a free fall it is another gravity */
+        times.pace = best_pace(s, as_is);
     arena_clear(&own);
     return times;
 }
@@ -778,10 +789,10 @@ static struct lines lines_of(const struct score *s, const struct score_time *row
     for (int j = 0; j < GRID_V - along_v; j++)
         for (int i = 0; i < GRID_U - !along_v; i++) {
             const int a = j * GRID_U + i, b = a + (along_v ? GRID_U : 1);
-            if (!along_v && grid_cut(s->truth.scene.sheets, i))
+            if (!along_v && grid_cut(s->truth->scene.sheets, i))
                 continue;
             const double wanted = piece(row->seen, a, b), there = piece(row->got, a, b);
-            l.rest += piece(s->truth.rest, a, b);
+            l.rest += piece(s->truth->rest, a, b);
             whole += piece(row->truth, a, b);
             l.truth += wanted;
             l.got += there;
@@ -870,7 +881,7 @@ static double mean(const struct offsets *offsets, double by[3])
 /* Reports, for a sheet that nothing holds, a shift that it begins with. */
 static void begins_off(const struct score *s, struct held_off *support)
 {
-    const double *by = s->begin, length = s->truth.scene.length, far = vector_length(by);
+    const double *by = s->begin, length = s->truth->scene.length, far = vector_length(by);
 
     support->steady = far > HELD_MOST * length && s->start - far < SAME * far;
     support->most = support->steady ? far / length : 0;
@@ -881,7 +892,7 @@ static void begins_off(const struct score *s, struct held_off *support)
 /* Finds the support that is farthest from the truth as the net sees it. */
 static struct held_off find_support(const struct score *s)
 {
-    const struct scene *scene = &s->truth.scene;
+    const struct scene *scene = &s->truth->scene;
     struct held_off support = {0};
     struct offsets all = {0};
     double square = 0;
@@ -957,10 +968,10 @@ say(struct score_diagnosis *d, enum score_kind kind, double value, const char *f
 static bool say_still(const struct score *s, struct evidence *e)
 {
     const struct score_time *last = &s->row[s->times - 1];
-    const double moved = score_rms(SCORE_POINTS, last->truth, s->truth.rest),
-                 theirs = score_rms(SCORE_POINTS, last->got, s->truth.rest);
+    const double moved = score_rms(SCORE_POINTS, last->truth, s->truth->rest),
+                 theirs = score_rms(SCORE_POINTS, last->got, s->truth->rest);
 
-    if (moved < STILL_MOST * s->truth.scene.length || theirs > STILL_MOST * moved)
+    if (moved < STILL_MOST * s->truth->scene.length || theirs > STILL_MOST * moved)
         return false;
     say(e->d, SCORE_STILL, theirs / moved,
         "Did not move: %.2g %% of the truth's way at %g s; are forces switched on, are "
@@ -1095,7 +1106,7 @@ static bool say_scattered(const struct score *s, struct evidence *e)
     }
     if (apart < SCATTERED_LEAST)
         return false;
-    const double off = nearest(row, s->truth.scene.length);
+    const double off = nearest(row, s->truth->scene.length);
     if (!is_better(off, row->error))
         return false;
     say(e->d, SCORE_ORDER, off,
@@ -1114,7 +1125,7 @@ static bool say_scattered(const struct score *s, struct evidence *e)
 static void say_lead(const struct score *s, double lead, const double shift[3],
                      struct score_diagnosis *d)
 {
-    const double fall = .5 * lead * lead * vector_length(s->truth.scene.gravity);
+    const double fall = .5 * lead * lead * vector_length(s->truth->scene.gravity);
     const bool ahead = fabs(s->start - vector_length(shift)) >
                        .5 * fall; /* NaN, no frame at 0: not known */
 
@@ -1137,8 +1148,8 @@ static double sound_most(const struct score *s)
     double way = 0;
 
     for (int n = 0; n < s->times; n++)
-        way = fmax(way, score_rms(SCORE_POINTS, s->row[n].truth, s->truth.rest));
-    return fmin(SOUND_MOST, SOUND_SHARE * way / s->truth.scene.length);
+        way = fmax(way, score_rms(SCORE_POINTS, s->row[n].truth, s->truth->rest));
+    return fmin(SOUND_MOST, SOUND_SHARE * way / s->truth->scene.length);
 }
 
 /* Returns whether another clock explains the error, and far better than the fit does, or
@@ -1177,7 +1188,7 @@ static bool say_times(const struct score *s, struct evidence *e)
     }
     if (s->repeats)
         snprintf(repeats, sizeof repeats, " (%d are as the one before)", s->repeats);
-    if (!s->ladder.times) /* no fit distinguishes them */
+    if (!s->truth->ladder.times) /* no fit distinguishes them */
         snprintf(gravity, sizeof gravity, ", or is gravity %.3g times the scene's",
                  pace->speed * pace->speed);
     if (is_clock(s, pace, fit) && !(PACE_BETTER * share(&times->lag) < share(pace))) {
@@ -1201,7 +1212,7 @@ static bool say_times(const struct score *s, struct evidence *e)
 static void say_gravity(const struct score *s, double g, const struct clock *pace,
                         const struct score_fit *fit, struct score_diagnosis *d)
 {
-    const double speed = s->truth.known.closed ? sqrt(fmax(g, 0))
+    const double speed = s->truth->known.closed ? sqrt(fmax(g, 0))
                          : share(pace) < PACE_BETTER * fit->left && fit->count == 1
                              ? pace->speed
                              : 1;
@@ -1217,7 +1228,7 @@ static void say_gravity(const struct score *s, double g, const struct clock *pac
 static bool say_support(const struct score *s, struct evidence *e)
 {
     const struct held_off *off = &e->support;
-    const struct scene *scene = &s->truth.scene;
+    const struct scene *scene = &s->truth->scene;
     const double *by = off->by;
     char what[192] = "Begins off the scene's rest shape, as a whole";
 
@@ -1259,7 +1270,7 @@ static bool measure(const struct score *s, struct evidence *e)
     if (!off->steady)
         return false;
     score_fit_make(s, off->shift, &back);
-    off->steady = s->truth.scene.support_count || back.rest < e->fit.rest;
+    off->steady = s->truth->scene.support_count || back.rest < e->fit.rest;
     if (off->steady)
         e->fit = back;
     else

@@ -238,7 +238,7 @@ static void map_rows(const struct scene *scene, const struct point *p, int colum
         const int i = column_of(scene, p, columns, u, &s),
                   j = cell_of(p, columns, rows, 1, (n / map->nu) / (map->nv - 1.), &t);
         for (int k = 0; k < 4; k++) {
-            map->vertex[n][k] = p[(long)(j + k / 2) * columns + i + k % 2].vertex;
+            map->place[n][k] = p[(long)(j + k / 2) * columns + i + k % 2].vertex;
             map->weight[n][k] = (k % 2 ? s : 1 - s) * (k / 2 ? t : 1 - t);
         }
     }
@@ -298,7 +298,7 @@ static void map_triangle(const struct score_net *net, const struct scene *scene,
                 continue;
             inside[n] = least;
             for (int k = 0; k < 4; k++) {
-                map->vertex[n][k] = vertex[k % 3];
+                map->place[n][k] = vertex[k % 3];
                 map->weight[n][k] = k < 3 ? w[k] : 0;
             }
         }
@@ -389,6 +389,27 @@ static struct point *points_of(struct arena *arena, const struct score_net *net)
     return p;
 }
 
+/* Lists the vertices that have a weight, and replaces them by their places in the list. */
+static void list_used(struct arena *arena, const struct score_net *net,
+                      struct score_map *map)
+{
+    const int count = 4 * map->nu * map->nv;
+    struct arena own = {0};
+    int *place = arena_take(&own, (size_t)net->vertices, sizeof *place),
+        *each = *map->place;
+
+    map->vertex = arena_take(arena, (size_t)count, sizeof *map->vertex);
+    for (int n = 0; n < count; n++) {
+        if (!place[each[n]]) /* from 1 */
+            map->vertex[map->used++] = each[n], place[each[n]] = map->used;
+        each[n] = place[each[n]] - 1;
+    }
+    map->uv = arena_take(arena, (size_t)map->used, sizeof *map->uv);
+    for (int n = 0; n < map->used; n++)
+        memcpy(map->uv[n], net->uv + 2L * map->vertex[n], sizeof *map->uv);
+    arena_clear(&own);
+}
+
 enum status score_net_map(struct arena *arena, struct score_net *net,
                           const struct frames_net *frames, const struct scene *scene,
                           const char *name, int nu, int nv, struct score_map *map,
@@ -398,8 +419,9 @@ enum status score_net_map(struct arena *arena, struct score_net *net,
     struct point *p = points_of(arena, net);
     enum status st;
 
-    *map = (struct score_map){nu, nv, arena_take(arena, points, sizeof *map->vertex),
-                              arena_take(arena, points, sizeof *map->weight)};
+    *map = (struct score_map){nu, nv, .sheets = scene->sheets,
+                              .place = arena_take(arena, points, sizeof *map->place),
+                              .weight = arena_take(arena, points, sizeof *map->weight)};
     TRY(check_span(net, name, why));
     TRY(check_sheets(net, scene, name, why));
     const int columns = count_lines(p, net->vertices, 0),
@@ -414,6 +436,7 @@ enum status score_net_map(struct arena *arena, struct score_net *net,
                          "%s: %d vertices are on %d lines u and %d lines v; one at each "
                          "crossing, or faces (OBJ, PLY, --rest), would be right",
                          name, net->vertices, columns, rows);
+    list_used(arena, net, map);
 out:
     return st;
 }
@@ -489,13 +512,37 @@ int (*score_net_triangles(struct arena *arena, const struct score_net *net,
     return corner;
 }
 
-void score_map_apply(const struct score_map *map, const double *xyz, double *field)
+/* Fills field[nu nv][3] from the values x[used][3] of a map's vertices. */
+static void weigh(const struct score_map *map, const double *x, double *field)
 {
     for (int n = 0; n < map->nu * map->nv; n++)
         for (int c = 0; c < 3; c++) {
             double sum = 0;
             for (int k = 0; k < 4; k++)
-                sum += map->weight[n][k] * xyz[3L * map->vertex[n][k] + c];
+                sum += map->weight[n][k] * x[3 * map->place[n][k] + c];
             field[3 * n + c] = sum;
         }
+}
+
+void score_map_apply(const struct score_map *map, const double *xyz, double *field)
+{
+    struct arena own = {0};
+    double *x = arena_take(&own, 3 * (size_t)map->used, sizeof *x);
+
+    for (int n = 0; n < map->used; n++)
+        memcpy(x + 3L * n, xyz + 3L * map->vertex[n], 3 * sizeof *x);
+    weigh(map, x, field);
+    arena_clear(&own);
+}
+
+void score_map_seen(const struct score_map *map, int nu, int nv, const double *field,
+                    double *seen)
+{
+    struct arena own = {0};
+    double *x = arena_take(&own, 3 * (size_t)map->used, sizeof *x);
+
+    for (int n = 0; n < map->used; n++)
+        score_net_sample(map->sheets, nu, nv, field, map->uv[n], x + 3L * n);
+    weigh(map, x, seen);
+    arena_clear(&own);
 }

@@ -13,7 +13,10 @@
  * fastest. */
 struct score_map {
     int nu, nv;
-    int (*vertex)[4];    /* [nu nv] */
+    int used, *vertex; /* [used] those that have a weight                              */
+    double (*uv)[2];   /* [used] of them, on so many sheets                            */
+    int sheets;
+    int (*place)[4];     /* [nu nv] in these lists                                       */
     double (*weight)[4]; /* [nu nv] */
 };
 
@@ -50,6 +53,10 @@ int (*score_net_triangles(struct arena *arena, const struct score_net *net,
 
 /* Fills field[nu nv][3] from xyz[vertices][3]. */
 void score_map_apply(const struct score_map *map, const double *xyz, double *field);
+
+/* Fills seen[map->nu map->nv][3] from a field [nv][nu][3] between the map's vertices. */
+void score_map_seen(const struct score_map *map, int nu, int nv, const double *field,
+                    double *seen);
 
 /* Returns the first of the four points, of `points` evenly on [0, 1], whose cubic is used
  * at x, and their Lagrange weights. points >= 4. */

@@ -46,7 +46,8 @@ static void range_text(const struct score *s, size_t size, char *text)
                          moved);
     snprintf(text + used, size - (size_t)used, "%s%s",
              s->net.by_position ? "; vertices were matched by their rest positions" : "",
-             s->truth.undamped ? "; the scene moves undamped here, as its truth does" : "");
+             s->truth->undamped ? "; the scene moves undamped here, as its truth does"
+                                : "");
 }
 
 /* Returns the next saying, to be filled in. */
@@ -83,8 +84,8 @@ static void say_contact(const struct score *s, struct score_print_said *said)
 
     if (!c->event[SCORE_CONTACT_ITSELF].frame && !c->event[SCORE_CONTACT_BODY].frame)
         snprintf(next(said, SCORE_PRINT_PARTS, "")->text, sizeof said->saying->text,
-                 "No frame passes through %s%s.", scene_sheet_other(&s->truth.scene),
-                 s->truth.scene.obstacle_count ? " or has a vertex in a body" : "");
+                 "No frame passes through %s%s.", scene_sheet_other(&s->truth->scene),
+                 s->truth->scene.obstacle_count ? " or has a vertex in a body" : "");
     for (int k = 0; k < SCORE_CONTACT_KINDS; k++) {
         const struct score_contact_event *e = &c->event[k];
         const double value[] = {e->frame, e->time, e->value, (double)e->with.pairs,
@@ -126,14 +127,14 @@ void score_print_say(const struct score *s, const struct score_diagnosis *d,
 static void add_notes(const struct score_print *p, const struct score *s,
                       const struct score_diagnosis *d, const char *range)
 {
-    const char *name = p->named ? s->truth.scene.name : "", *colon = p->named ? ": " : "";
+    const char *name = p->named ? s->truth->scene.name : "", *colon = p->named ? ": " : "";
     struct score_print_said said;
 
     score_print_say(s, d, &said);
     for (int n = 0; n < said.count; n++)
         dataset_note(p->table, "%s%s%s", name, colon, said.saying[n].text);
     dataset_note(p->table, "%s%s%s.", name, colon, range);
-    dataset_note(p->table, "%s%sThe truth: %s.", name, colon, s->truth.known.source);
+    dataset_note(p->table, "%s%sThe truth: %s.", name, colon, s->truth->known.source);
 }
 
 /* Prints a member of a JSON object: its key and a text. */
@@ -168,7 +169,7 @@ static void print_said(const struct score_print_said *said, FILE *file)
 static void print_json(const struct score *s, const struct score_diagnosis *d,
                        const char *range, FILE *file)
 {
-    const char *scene = s->truth.scene.name;
+    const char *scene = s->truth->scene.name;
     struct score_print_said said;
 
     fputc('{', file);
@@ -187,7 +188,7 @@ static void print_json(const struct score *s, const struct score_diagnosis *d,
     fputs("], ", file);
     print_text(file, "frames", range);
     fputs(", ", file);
-    print_text(file, "truth", s->truth.known.source);
+    print_text(file, "truth", s->truth->known.source);
     fputs("}\n", file);
 }
 
@@ -203,7 +204,7 @@ void score_print_add(struct score_print *p, const struct score *s,
     }
     struct dataset *t = begin_rows(p);
     for (int n = 0; n < s->times; n++)
-        dataset_line(t, "%s|%.3g|%.2g|%.2g|%.2g", s->truth.scene.name, s->row[n].time,
+        dataset_line(t, "%s|%.3g|%.2g|%.2g|%.2g", s->truth->scene.name, s->row[n].time,
                      s->row[n].error, s->row[n].bar, s->row[n].floor);
     add_notes(p, s, d, range);
 }

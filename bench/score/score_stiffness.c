@@ -131,12 +131,12 @@ static double unexplained(const struct sums *s)
  * the strain is no flaw of the frames, and cancels. */
 void score_stiffness_make(const struct score *score, struct score_stiffness *stiffness)
 {
-    const struct scene *scene = &score->truth.scene;
+    const struct scene *scene = &score->truth->scene;
     const struct law law = scene_law(scene);
     struct line got, seen;
 
     *stiffness = (struct score_stiffness){0};
-    if (!score->times || !score->truth.known.closed || !scene_is_cantilever(scene))
+    if (!score->times || !score->truth->known.closed || !scene_is_cantilever(scene))
         return;
     line_make(scene, score->row[score->times - 1].got, &got);
     line_make(scene, score->row[score->times - 1].seen, &seen);

@@ -36,6 +36,7 @@ static struct score_stiffness measured(const char *scene, const char *name, bool
     const char *const path = "frames.csv";
     struct score_stiffness found;
     struct message why = {""};
+    struct score_truth truth;
     struct score score;
     struct run run;
     char net[64];
@@ -55,13 +56,15 @@ static struct score_stiffness measured(const char *scene, const char *name, bool
     if (iterates || !strcmp(name, "mass_spring")) /* springs have Y12 = G */
         law.matrix[LAW_MEMBRANE][LAW_12] = law.matrix[LAW_MEMBRANE][LAW_33];
     *known = law_narrow(law.matrix[part]);
-    if (!CHECK(score_read(scene, 1, &path, &look, &score, &why) == STATUS_OK)) {
+    if (!CHECK(score_truth_read(scene, &truth, &why) == STATUS_OK) ||
+        !CHECK(score_read(&truth, 1, &path, &look, &score, &why) == STATUS_OK)) {
         printf("%s\n", why.text);
         exit(1);
     }
     score_stiffness_make(&score, &found);
     CHECK(found.applies && found.part == part && found.along == SCORE_ALONG_WARP);
     score_clear(&score);
+    score_truth_clear(&truth);
     run_close(&run);
     return found;
 }

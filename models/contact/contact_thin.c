@@ -298,6 +298,7 @@ static void place_samples(const struct contact_thin *t, const double *x, double 
 /* The corners of a triangle at a share of the way from y_old to y. */
 struct corners {
     double y[3][3], normal[3]; /* [m]; of length 1, 0: there is none                    */
+    double share[3];           /* of the place that find_place found                    */
 };
 
 static struct corners corners_at(const struct contact_thin *t, int triangle, double share)
@@ -322,20 +323,20 @@ static struct corners corners_at(const struct contact_thin *t, int triangle, dou
 
 /* Finds the place of a triangle that is closest to q; fills t->node and t->weight, and
  * returns how many there are. */
-static int find_place(struct contact_thin *t, int triangle, const struct corners *c,
+static int find_place(struct contact_thin *t, int triangle, struct corners *c,
                       const double q[3])
 {
     const struct contact_surface *s = t->surface;
-    double share[3], u, v;
+    double u, v;
     int sample[3];
 
-    contact_foot_nearest(q, (const double *const[]){c->y[0], c->y[1], c->y[2]}, share);
+    contact_foot_nearest(q, (const double *const[]){c->y[0], c->y[1], c->y[2]}, c->share);
     if (s->smooth) {
-        contact_foot_place(s, triangle, share, &u, &v);
+        contact_foot_place(s, triangle, c->share, &u, &v);
         return s->row(s->self, u, v, t->node, t->weight);
     }
     contact_foot_corners(s, triangle, sample);
-    return contact_surface_mix(s, 3, sample, share, t->node, t->weight);
+    return contact_surface_mix(s, 3, sample, c->share, t->node, t->weight);
 }
 
 /* Computes at = the sum of weights times x[nodes][3]. */
@@ -372,7 +373,7 @@ static double measure(struct contact_thin *t, const struct contact_thin_pair *p,
                       const struct contact_thin_step *step, int end, double *height)
 {
     const double *q = end ? t->q[p->feature] : t->q_old[p->feature];
-    const struct corners c = corners_at(t, p->triangle, end);
+    struct corners c = corners_at(t, p->triangle, end);
     double at[3], way[3];
 
     sum_up(t, find_place(t, p->triangle, &c, q), end ? step->x : step->x_old, at);
@@ -445,10 +446,10 @@ bool contact_thin_foot(struct contact_thin *t, int n, const struct contact_thin_
     foot->distance = p->distance - f->radius;
     if (!(foot->distance < t->start))
         return false;
-    const struct corners c = corners_at(t, p->triangle, 1);
+    struct corners c = corners_at(t, p->triangle, 1);
     foot->count = find_place(t, p->triangle, &c, t->q[p->feature]);
-    for (int k = 0; k < foot->count && t->surface->width == 1; k++)
-        if (t->weight[k] == 1) /* a sample, which meets the body by itself */
+    for (int k = 0; k < 3; k++)
+        if (c.share[k] == 1) /* a sample, which meets the body by itself */
             return false;
     sum_up(t, foot->count, step->x, at);
     const double far = way_from(t, p->feature, step->pose, at, way);
@@ -484,7 +485,7 @@ enum status contact_thin_near(struct contact_thin *t, const struct scene_placeme
 static double distance_after(struct contact_thin *t, const struct contact_thin_pair *p,
                              const double *x, const double *d, double share)
 {
-    const struct corners c = corners_at(t, p->triangle, share);
+    struct corners c = corners_at(t, p->triangle, share);
     const int count = find_place(t, p->triangle, &c, t->q[p->feature]);
     double at[3], by[3];
 

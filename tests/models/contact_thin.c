@@ -180,6 +180,39 @@ static void check_foot(void)
     }
 }
 
+/* Fills a row of the net, linear along u between its lines. */
+static int row_between(const void *self, double u, double v, int *node, double *shape)
+{
+    const int i = (int)fmin(floor((N - 1) * u), N - 2), j = (int)lround((N - 1) * v);
+
+    (void)self;
+    node[0] = i * N + j, node[1] = node[0] + N;
+    shape[1] = (N - 1) * u - i, shape[0] = 1 - shape[1];
+    return 2;
+}
+
+/* A ball under a sample between the points of a net, as those of any mesh and of a smooth
+ * surface are, meets this sample and none of the triangles around it. */
+static void check_sample(bool smooth)
+{
+    const struct scene_obstacle body = ball(spacing / 2, spacing, -0.0105, 0.01);
+    double x[NODES][3];
+    struct contact c;
+
+    make(&c, &body, x);
+    contact_clear(&c);
+    struct contact_surface s;
+    REQUIRE(contact_surface_init_even(&s, &scene, NULL, row_between, 2, NODES,
+                                      (int[2]){2 * N - 1, N}) == STATUS_OK);
+    s.smooth = smooth;
+    REQUIRE(contact_init(&c, &scene, &s) == STATUS_OK);
+    REQUIRE(c.thin.count == 1);
+    contact_begin(&c, 0, INFINITY, x[0]);
+    REQUIRE(contact_find(&c, x[0]) == STATUS_OK);
+    CHECK(c.count == 1 && c.touch[0].sample >= 0);
+    clear(&c);
+}
+
 /* A change, and a step, that would carry the net 5 cm down through a body whose highest
  * point is at 0, 4 mm under it; and two steps that do, of which one is counted. */
 static void check_passage(struct scene_obstacle body)
@@ -254,6 +287,8 @@ int main(void)
 
     check_features();
     check_foot();
+    check_sample(false);
+    check_sample(true);
     check_gradient(ball(0.13, 0.16, 0.0105, 0.01));
     check_mover();
     check_passage(ball(0, 0, -0.005, 0.005));

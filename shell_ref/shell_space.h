@@ -79,9 +79,9 @@ struct shell_space {
  * therefore asked for at the points of SHELL_DERIVED in u and v (reduced_rule_derived).
  * These are fewer by one along v than the strain along u has functions: a zigzag from span
  * to span along v is zero at all of them. A row of p + 1 Gauss points along v adds, at each
- * point of u, the energy of its part of degree p in the span, of which the zigzag has one
- * and a smooth strain next to none; likewise the strain along v. Poisson's ratio has no
- * part in it, so that even states leave no stress in the rows.
+ * point of u, the energy of its part of degree p (3 of 5) in the span, of which the zigzag
+ * has one and a smooth strain next to none; likewise the strain along v. Poisson's ratio
+ * has no part in it, so that even states leave no stress in the rows.
  *
  * (Casquero and Mathews, CMAME 417, 2023, interpolate the strain along u from as many
  * points along v as it has functions. As a quadrature beside SHELL_DERIVED's, with some of

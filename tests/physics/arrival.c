@@ -225,9 +225,12 @@ static void check_held_area(void)
 static void check_pulled(void)
 {
     static const double middle[3] = {0.5, 0.5, 0.5}, FLAT = 1e-6;
-    static const char *const setting[] = {
-        NET "[10,10]", "material.poisson=0.45", "sheet.thickness=0.0005",
-        "discretization.degree=[2,2,1]", "discretization.degree=[4,4,1]"};
+    static const char *const setting[] = {NET "[10,10]",
+                                          "material.poisson=0.45",
+                                          "sheet.thickness=0.0005",
+                                          "discretization.degree=[2,2,1]",
+                                          "discretization.degree=[4,4,1]",
+                                          "discretization.degree=[5,5,1]"};
 
     for (size_t n = 0; n < sizeof setting / sizeof *setting; n++) {
         struct case_plan plan = {CASES "pulled.yaml", named("shell"), LIST(setting[n]), 0};

@@ -77,11 +77,15 @@ static double along_v(struct spring_law_stiffness c)
     return c.c22 - c.c12 * c.c12 / c.c11;
 }
 
-/* Returns the C12 at which springs along u have no strength left, from what there is
+/* Springs along u and along v keep this share of what they and the diagonals have together
+ * (the head's derivation): nets that are pulled to 1.5 times their length stay even. */
+static const double KEPT = 0.4;
+
+/* Returns the C12 at which springs along u have no more than they keep, from what there is
  * against tension along u and across it, and (a_v / a_u)^2. */
-static double most_c12(double E1, double E2, double r)
+static double most_c12(double E1, double E2, double r2)
 {
-    const double left = 1 - r * r * E1 / E2;
+    const double r = (1 - KEPT) * r2, left = 1 - r * r * E1 / E2;
 
     return left > 0 ? r * E1 / left : INFINITY;
 }

@@ -17,10 +17,14 @@
  * C22 - C12^2 / C11: C22 = C11 E2 / E1 and C11 = [E1 + (E1^2 + 4 C33^2 E1 / E2)^(1/2)] / 2.
  * Isotropic, C11 is 1.21 times the sheet's at nu = 0, 1.03 at .3, .85 at .49; the net's own
  * Poisson ratio, C33 / C11, is .41, .34, .29. On square cells k_d = G h and
- * k_u = k_v = C11 - G h. A cell longer than (C11 / G h)^(1/2) times its width would
- * need springs of negative strength; its diagonals are weakened instead, and C33 falls
- * short: with r = (a_v / a_u)^2 < 1 to what leaves k_u = 0, C12 = C33 = r C11 and C11 =
- * E1 / (1 - r^2 E1 / E2). Tension along u and v stays the sheet's.
+ * k_u = k_v = C11 - G h. Of a long cell the diagonals have most of C11, or all, and nothing
+ * but springs along u holds one half of the points, of a chequered board, against the
+ * other: diagonals join points of one colour, and springs along v, pressed by C12 e under
+ * a strain e along u, push the colours apart along u. With a share t of C11 in springs
+ * along u that is stable for e < t / (1 - t). Cells longer than some 1.2 times their width
+ * therefore have weaker diagonals, which leave a share of .4, and C33 falls short: with r =
+ * .6 (a_v / a_u)^2 < 1, C12 = C33 = r C11 and C11 = E1 / (1 - r^2 E1 / E2). Tension along u
+ * and v stays the sheet's.
  *
  * Bending. A spring across two cells, unstrained at rest, has the energy k (a^3 / 4)^2
  * kappa^4 / 2: of fourth order. Such springs can't represent a bending stiffness D, which

@@ -18,6 +18,12 @@ static double *strain_of(const void *self, int thread, int element, const double
     spring_force_add(s->net, x, s->strain);
     for (size_t t = 0; t < count; t++)
         s->strain[t] = -s->strain[t];
+    for (int k = 0; k < s->forms.count; k++) {
+        double value[3];
+        spring_form_value(&s->forms, k, x, value);
+        spring_form_pull(&s->forms, k, spring_form_of(&s->forms, k)->stiffness, value,
+                         s->strain);
+    }
     return s->strain;
 }
 
@@ -49,32 +55,40 @@ static void add_tangent(const void *self, int thread, int element,
         spring_force_clamped(s->net, s->x, s->hinges, K);
     else
         spring_force_jacobian(s->net, s->x, K);
+    for (long n = 0; s->forms.count && n < s->body.pairs; n++)
+        for (int i = 0; i < 3; i++)
+            K[n][4 * i] += s->plate[n];
 }
 
 static enum status energy_of(const void *self, const double *x, double *energy)
 {
     const struct spring_lengths *s = self;
 
-    *energy = spring_force_energy(s->net, x);
+    *energy = spring_forms_energy(&s->forms, x, spring_force_energy(s->net, x));
     return STATUS_OK;
 }
 
 void spring_lengths_clear(struct spring_lengths *s)
 {
+    spring_forms_clear(&s->forms);
     free(s->room);
     memset(s, 0, sizeof *s);
 }
 
-enum status spring_lengths_init(struct spring_lengths *s, const struct spring_net *net)
+enum status spring_lengths_init(struct spring_lengths *s, const struct scene *scene,
+                                const struct spring_net *net)
 {
     const size_t pairs = (size_t)net->graph.start[net->mesh->nodes];
+    enum status st;
 
     *s = (struct spring_lengths){.net = net, .slab = {0, 1}};
-    const enum status st = room_cut(&s->room, ROOM(s->hinges, pairs),
-                                    ROOM(s->strain, 3 * (size_t)net->mesh->nodes));
-    if (st != STATUS_OK)
-        return st;
+    TRY(room_cut(&s->room, ROOM(s->hinges, pairs), ROOM(s->plate, pairs),
+                 ROOM(s->strain, 3 * (size_t)net->mesh->nodes)));
     spring_force_hinges(net, s->hinges);
+    if (!net->mesh->rows) {
+        TRY(spring_plate_make(scene, net->mesh, PARAMETERS_MATCHED, &s->forms));
+        spring_forms_matrix(&s->forms, &net->graph, s->plate);
+    }
     s->body = (struct large_body){.self = s,
                                   .nodes = net->mesh->nodes,
                                   .slabs = 1,
@@ -88,5 +102,6 @@ enum status spring_lengths_init(struct spring_lengths *s, const struct spring_ne
                                   .force = add_force,
                                   .tangent = add_tangent,
                                   .energy = energy_of};
-    return STATUS_OK;
+out:
+    return st;
 }

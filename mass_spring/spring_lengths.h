@@ -9,19 +9,23 @@
 
 #include "mass_spring/spring_force.h"
 #include "models/mechanics/large_body.h"
+#include "models/net/spring_plate.h"
 
 struct spring_lengths {
     const struct spring_net *net; /*                                          borrowed  */
     struct large_body body;
     int slab[2];
-    void *room;      /* memory of the arrays                                 owned     */
-    double *hinges;  /* [pairs] spring_force_hinges                                    */
-    double *strain;  /* [nodes][3] the force, less its sign                  [N]       */
+    void *room;     /* memory of the arrays                                 owned     */
+    double *hinges; /* [pairs] spring_force_hinges                                    */
+    double *strain; /* [nodes][3] the force, less its sign                  [N]       */
+    struct spring_forms forms; /* bending of a mesh that is no grid          owned     */
+    double *plate;             /* [pairs] their second derivatives           [N/m]     */
     const double *x; /* [nodes][3] where the strain is of                    borrowed  */
 };
 
 /* Prepares; the net and *s must stay where they are. STATUS_MEMORY. */
-enum status spring_lengths_init(struct spring_lengths *s, const struct spring_net *net);
+enum status spring_lengths_init(struct spring_lengths *s, const struct scene *scene,
+                                const struct spring_net *net);
 void spring_lengths_clear(struct spring_lengths *s);
 
 #endif

@@ -4,7 +4,7 @@
 
 /* clang-format off */
 static const struct schema_key options[] = {
-    OPTIONS_NET, {"solver"}, {"preconditioner"},
+    OPTIONS_NET, {"solver"}, {"preconditioner"}, {"mesh"}, {"seed"}, {"refine"},
     {"iterations", .with = "integrator", .of = OPTION(INTEGRATOR_IMPLICIT)},
     {"tolerance", .with = "integrator", .of = OPTION(INTEGRATOR_IMPLICIT)},
     {"precision", .with = "integrator", .of = OPTION(INTEGRATOR_LEAPFROG)},
@@ -26,10 +26,16 @@ static enum status init(void *state, const struct scene *scene,
                         const struct discretization *d, struct message *why)
 {
     enum status st;
+    const char *lacks = net_mesh_lacks(scene, d, true);
     const struct net_refusal rows[] = {
         {scene_needs(scene) & SCENE_NEED_SOFTENING && d->integrator != INTEGRATOR_MOMENTUM,
          "softening: with integrator=momentum only, the others have struts of constant "
          "force or a constant bending"},
+        {*lacks, lacks},
+        {OWN(spring_own, d)->surface != SURFACE_NET && !mesh_is_grid(d),
+         "surface: of a grid only, whose points can be a spline's"},
+        {d->precision == PRECISION_SINGLE && !mesh_is_grid(d),
+         "precision=single: of a grid only, whose sweeps go along rows"},
         {OWN(spring_own, d)->strain_limit > 0 && contact_wanted(scene),
          "strain_limit: without contact only"},
         {0}};
@@ -56,7 +62,7 @@ static void describe(const void *state, struct message *line)
     const struct spring_motion *m = state;
     struct message steps = {{0}};
 
-    spring_law_tell(&m->springs.law, m->net.mesh.cell, m->net.scene, line);
+    spring_net_tell(&m->springs, m->net.scene, line);
     if (m->integrator == INTEGRATOR_IMPLICIT || m->integrator == INTEGRATOR_EXPLICIT)
         message_add(line, "; at a strain e it pulls 1.5 e less than the sheet "
                           "(integrator=momentum as the sheet)");

@@ -34,8 +34,9 @@ static enum status make_march(struct spring_motion *m, struct message *why)
 {
     enum status st;
     struct discretization d = *m->asked;
-    const bool implicit = m->integrator == INTEGRATOR_IMPLICIT,
-               swept = m->integrator == INTEGRATOR_LEAPFROG;
+    const bool implicit = m->integrator == INTEGRATOR_IMPLICIT, grid = m->net.mesh.rows,
+               squares = in_squares(m),
+               swept = grid && m->integrator == INTEGRATOR_LEAPFROG;
 
     if (m->integrator == INTEGRATOR_EXPLICIT)
         d.integrator = INTEGRATOR_LEAPFROG;
@@ -44,14 +45,21 @@ static enum status make_march(struct spring_motion *m, struct message *why)
         if (d.solver == SOLVER_AUTO)
             d.solver = SOLVER_CG; /* on an earlier factor */
     }
-    TRY(in_squares(m) ? spring_strips_init(&m->strips, &m->stencil)
-                      : spring_lengths_init(&m->lengths, &m->springs));
+    TRY(!squares ? spring_lengths_init(&m->lengths, m->net.scene, &m->springs)
+        : grid   ? spring_strips_init(&m->strips, &m->stencil)
+                 : tri_shell_init(&m->shell, m->net.scene, &m->net.mesh, MEMBRANE_SPRINGS,
+                                  BENDING_QUADRATIC, false));
+    if (d.integrator == INTEGRATOR_LEAPFROG)
+        mesh_weigh_edges(&m->net.mesh, m->net.scene->density * m->net.scene->thickness,
+                         m->net.mass);
     m->swept = (struct spring_body){.net = &m->net, .stencil = &m->stencil};
     m->march = (struct march){
         .integrator = swept ? &spring_leapfrog_integrator : NULL,
         .moved = &m->swept,
-        .body = in_squares(m) ? m->strips.body : m->lengths.body,
-        .graph = &m->springs.graph,
+        .body = !squares ? m->lengths.body
+                : grid   ? m->strips.body
+                         : m->shell.body,
+        .graph = squares && !grid ? &m->shell.graph : &m->springs.graph,
         .drag = m->asked->parameters == PARAMETERS_PAPER ? m->net.drag : NULL,
         .learns = implicit,
         .tolerance = (d.tolerance > 0 ? d.tolerance
@@ -63,7 +71,8 @@ static enum status make_march(struct spring_motion *m, struct message *why)
     if (!in_squares(m)) {
         m->march.loose = d.iterations == 1 ? LAST_TOLERANCE : LINEAR_TOLERANCE;
         system_single(&m->march.system);
-        TRY(iterative_follow(m->march.system.iterative, frames, m, false));
+        if (grid)
+            TRY(iterative_follow(m->march.system.iterative, frames, m, false));
     }
 out:
     return st;
@@ -91,6 +100,7 @@ void spring_motion_clear(void *motion)
     march_clear(&m->march);
     spring_strips_clear(&m->strips);
     spring_lengths_clear(&m->lengths);
+    tri_shell_clear(&m->shell);
     spring_stencil_clear(&m->stencil);
     spring_net_clear(&m->springs);
     net_clear(&m->net);
@@ -108,7 +118,7 @@ enum status spring_motion_init(struct spring_motion *m, const struct scene *scen
                                 .strain_limit = OWN(spring_own, d)->strain_limit};
     TRY(net_init(&m->net, scene, d, why));
     TRY(spring_net_init(&m->springs, scene, &m->net.mesh, d->parameters, in_squares(m)));
-    if (in_squares(m))
+    if (in_squares(m) && m->net.mesh.rows)
         TRY(make_stencil(m, d));
     TRY(make_march(m, why));
     m->rest_energy = spring_motion_elastic(m);
@@ -204,8 +214,10 @@ out:
 
 double spring_motion_elastic(const struct spring_motion *m)
 {
-    return in_squares(m) ? spring_stencil_energy(&m->stencil, m->net.x)
-                         : spring_force_energy(&m->springs, m->net.x);
+    return !in_squares(m)     ? spring_forms_energy(&m->lengths.forms, m->net.x,
+                                                    spring_force_energy(&m->springs, m->net.x))
+           : m->net.mesh.rows ? spring_stencil_energy(&m->stencil, m->net.x)
+                              : tri_shell_energy(&m->shell, m->net.x);
 }
 
 void spring_motion_energy(const void *motion, struct energy *energy)

@@ -13,6 +13,10 @@
  *            bending (march.h, spring_strips.h). It keeps its energy
  *            (clothbench verify energy); the membrane's viscosity takes what crumples.
  *
+ * On a mesh that is no grid the same four, of springs along its edges (spring_net.h) and a
+ * quadratic bending (spring_plate.h); in squares they are tri_shell.h's, in leapfrog steps
+ * without a sweep.
+ *
  * Strains are limited once a frame (Provot 1995).
  *
  * Damping: mass and alpha are c = alpha m; beta is beta V v with the clamped Jacobian at
@@ -28,6 +32,7 @@
 #include "models/net/spring_leapfrog.h"
 #include "mass_spring/spring_lengths.h"
 #include "mass_spring/spring_strips.h"
+#include "triangles/tri_shell.h"
 
 /* The surface of the net: the net itself, or the B-spline whose control points it has. */
 enum spring_surface { SURFACE_NET, SURFACE_QUADRATIC, SURFACE_CUBIC };
@@ -50,6 +55,7 @@ struct spring_motion {
     struct spring_stencil stencil; /* leapfrog and momentum, as what follows        */
     struct spring_strips strips;
     struct spring_body swept; /* leapfrog's                                           */
+    struct tri_shell shell;   /* leapfrog and momentum on a mesh that is no grid         */
 };
 
 /* Initialises; *m must stay where it is: it holds pointers into itself. */

@@ -80,7 +80,7 @@ void pb_sweep_free(struct pb_sweep *s)
 /* Allocates all arrays in one piece, with two rows of room around each. */
 static enum status allocate(struct pb_sweep *s)
 {
-    size_t before = s->size * (size_t)(2 * s->pitch);
+    size_t before = s->size * (size_t)(s->plan.link_count ? PAD : 2 * s->pitch);
     size_t whole = s->size * (size_t)(s->pitch * s->plan.n) + 2 * before;
     char *at = NULL;
     enum status st =
@@ -111,10 +111,9 @@ enum status pb_sweep_make(const struct pb_plan *plan, struct pb_sweep **sweep)
     s->size = plan->precision == PRECISION_SINGLE ? sizeof(float) : sizeof(double);
     s->pitch = (plan->m + PAD - 1) / PAD * PAD;
     TRY(allocate(s));
-    for (int n = 0; n < 3 * plan->odd_count; n++) {
-        int node = plan->odd[n / 3].node[n % 3];
-        plan->odd[n / 3].place[n % 3] = node / plan->m * s->pitch + node % plan->m;
-    }
+    for (struct pb_odd *o = plan->odd; o < plan->odd + plan->odd_count; o++)
+        for (int k = 0; k < o->count; k++)
+            o->place[k] = o->node[k] / plan->m * s->pitch + o->node[k] % plan->m;
     for (int k = 0; k < HALVES; k++)
         BY_PRECISION(s, mask, s, s->half[k], HALVES, k);
     for (int k = 0; k < THIRDS; k++)
@@ -154,6 +153,8 @@ void pb_sweep_predict(struct pb_sweep *s, bool recalls)
         memset(s->field[f], 0, whole);
     for (int n = 0; recalls && n < s->plan.odd_count; n++)
         memset(s->plan.odd[n].lambda, 0, sizeof s->plan.odd[n].lambda);
+    for (int n = 0; recalls && n < s->plan.link_count; n++)
+        s->plan.link[n].lambda = 0;
     BY_PRECISION(s, predict, s);
 }
 

@@ -57,14 +57,23 @@ enum pb_field {
     PB_FIELDS = PB_LAMBDAS + 3 * PB_FORMS
 };
 
-/* A constraint between three points anywhere, projected after the others: C = sum weight x
- * + shift. */
+enum { PB_ODD_NODES = 6 };
+
+/* A constraint between points anywhere, projected after the others: C = sum weight x +
+ * shift.
+ */
 struct pb_odd {
-    int node[3];
-    double weight[3], shift[3];
+    int count, node[PB_ODD_NODES];
+    double weight[PB_ODD_NODES], shift[3];
     double strength, recall; /* pb_sweep_form                                          */
     double lambda[3];
-    ptrdiff_t place[3]; /* places of the nodes; set by pb_sweep_make                    */
+    ptrdiff_t place[PB_ODD_NODES]; /* of the nodes; set by pb_sweep_make                */
+};
+
+/* A spring between two points anywhere. */
+struct pb_link {
+    int node[2];
+    double rest, strength, lambda;
 };
 
 /* The part of a sweep that does not change from step to step. */
@@ -79,6 +88,8 @@ struct pb_plan {
     struct net_origin origin; /* from which places and ways are counted                 */
     int odd_count;
     struct pb_odd *odd; /* borrowed; lambda and place are written */
+    int link_count; /* > 0: all springs are in the list, and there is one row          */
+    struct pb_link *link; /* borrowed; lambda is written */
 };
 
 struct pb_sweep; /* opaque */

@@ -213,22 +213,58 @@ INLINE void NAME(kind)(struct pb_sweep *s, const enum pb_kind kind, const int ro
         NAME(row)(s, kind, 0, s->plan.n * s->pitch, masks[k], recalls);
 }
 
+/* Projects listed springs, one by one, as `stretch` does. */
+INLINE void NAME(links)(struct pb_sweep *s, bool back, const bool recalls)
+{
+    const REAL gain = (REAL)s->plan.gain, gamma = gain - 1;
+    REAL *const *x = (REAL *const *)s->field + PB_X, *const *d = x + PB_D,
+                *const *w = x + PB_W;
+    const int count = s->plan.link_count;
+
+    for (int n = 0; n < count; n++) {
+        struct pb_link *link = &s->plan.link[back ? count - 1 - n : n];
+        const int a = link->node[0], b = link->node[1];
+        const REAL k = (REAL)link->strength;
+        REAL e[3], q = NO_LENGTH, turned = 0, sum = 0;
+        COMPONENTS(c)
+        {
+            REAL step = d[c][b] - d[c][a];
+            e[c] = x[c][b] - x[c][a] + step;
+            q += e[c] * e[c];
+            turned += e[c] * step;
+            sum += e[c] * e[c] * (w[c][a] + w[c][b]);
+        }
+        REAL l = ROOT(q), t = k * (q - (REAL)link->rest * l + gamma * turned);
+        if (recalls)
+            t += (REAL)link->lambda * l;
+        t /= k * gain * sum + q;
+        if (recalls)
+            link->lambda -= t * l;
+        COMPONENTS(c)
+        {
+            d[c][a] += w[c][a] * (t * e[c]);
+            d[c][b] -= w[c][b] * (t * e[c]);
+        }
+    }
+}
+
 /* Projects listed constraints, one by one. */
-INLINE void NAME(odd)(struct pb_sweep *s, const bool recalls)
+INLINE void NAME(odd)(struct pb_sweep *s, bool back, const bool recalls)
 {
     const double gain = s->plan.gain;
 
-    for (struct pb_odd *o = s->plan.odd; o < s->plan.odd + s->plan.odd_count; o++)
+    for (int n = 0; n < s->plan.odd_count; n++)
         for (int c = 0; c < 3; c++) {
+            struct pb_odd *o = &s->plan.odd[back ? s->plan.odd_count - 1 - n : n];
             const REAL *x = s->field[PB_X + c], *w = s->field[PB_W + c];
             REAL *d = s->field[PB_D + c];
             double value = o->shift[c];
-            for (int k = 0; k < 3; k++)
+            for (int k = 0; k < o->count; k++)
                 value += o->weight[k] * (x[o->place[k]] + gain * d[o->place[k]]);
             double t = o->strength * value + (recalls ? o->recall * o->lambda[c] : 0);
             if (recalls)
                 o->lambda[c] -= t;
-            for (int k = 0; k < 3; k++)
+            for (int k = 0; k < o->count; k++)
                 d[o->place[k]] -= (REAL)(w[o->place[k]] * o->weight[k] * t);
         }
 }
@@ -237,6 +273,8 @@ INLINE void NAME(pass)(struct pb_sweep *s, bool bends, bool back, const bool rec
 {
     const int last = bends ? PB_KINDS : PB_SPRINGS - 1;
 
+    if (s->plan.link_count && !back)
+        NAME(links)(s, back, recalls);
     for (int k = 0; k <= last; k++)
         switch (back ? last - k : k) {
         case PB_U:
@@ -264,8 +302,10 @@ INLINE void NAME(pass)(struct pb_sweep *s, bool bends, bool back, const bool rec
             NAME(kind)(s, PB_MEAN, 3, 1, 1, s->third, THIRDS, recalls);
             break;
         default:
-            NAME(odd)(s, recalls);
+            NAME(odd)(s, back && s->plan.link_count, recalls);
         }
+    if (s->plan.link_count && back)
+        NAME(links)(s, back, recalls);
 }
 
 CLONES static void NAME(iterate)(struct pb_sweep *s, bool bends, bool recalls, bool back)

@@ -86,7 +86,13 @@ static enum pb_kind kind_of(const struct pb_motion *m, const struct spring *s)
 
 static void put_springs(struct pb_motion *m)
 {
-    for (int kind = 0; kind < PB_SPRINGS; kind++) {
+    for (int n = 0; m->link && n < m->springs.spring_count; n++) {
+        const struct spring *s = &m->springs.springs[n];
+        const double w = free_inverse_mass(m, s->a) + free_inverse_mass(m, s->b);
+        m->link[n] =
+            (struct pb_link){{s->a, s->b}, s->length, strength_of(m, s->stiffness, w), 0};
+    }
+    for (int kind = 0; !m->link && kind < PB_SPRINGS; kind++) {
         memset(m->work, 0, count(m) * sizeof *m->work);
         for (const struct spring *s = m->springs.springs;
              s < m->springs.springs + m->springs.spring_count; s++) {
@@ -133,22 +139,22 @@ static void put_forms(struct pb_motion *m)
     }
 }
 
-/* Lists the clamps, which lie anywhere. Returns how many. */
-static int list_clamps(struct pb_motion *m)
+/* Lists the forms that lie anywhere, clamps and those of triangles. Returns how many. */
+static int list_odd(struct pb_motion *m)
 {
     int clamps = 0;
 
     for (int n = 0; n < m->forms.count; n++) {
         const struct spring_form *form = spring_form_of(&m->forms, n);
         struct pb_odd *odd = &m->odd[clamps];
-        if (form->kind != SPRING_PLATE_CLAMP)
+        if (form->kind != SPRING_PLATE_CLAMP && form->kind != SPRING_PLATE_SLOPE)
             continue;
         set_form(m, n, &odd->strength, &odd->recall);
-        for (int k = 0; k < 3; k++) {
-            odd->node[k] = m->forms.place[n].at + form->step[k < form->count ? k : 0];
-            odd->weight[k] = k < form->count ? form->weight[k] : 0;
-            odd->shift[k] = form->shift[k];
-        }
+        odd->count = form->count;
+        memcpy(odd->weight, form->weight, sizeof odd->weight);
+        memcpy(odd->shift, form->shift, sizeof odd->shift);
+        for (int k = 0; k < form->count; k++)
+            odd->node[k] = m->forms.place[n].at + form->step[k];
         clamps++;
     }
     return clamps;
@@ -174,7 +180,7 @@ static enum status make_sweep(struct pb_motion *m, enum precision precision)
     const double *cell = m->net.mesh.cell, diagonal = hypot(cell[0], cell[1]);
     struct pb_plan plan = {.n = m->net.mesh.points[0],
                            .m = m->net.mesh.points[1],
-                           .sheet = m->net.mesh.rows,
+                           .sheet = m->net.mesh.rows ? m->net.mesh.rows : 1,
                            .precision = precision,
                            .rest = {cell[0], cell[1], diagonal, diagonal},
                            .gain = 1 + m->net.beta / m->dt,
@@ -183,7 +189,9 @@ static enum status make_sweep(struct pb_motion *m, enum precision precision)
                                precision == PRECISION_SINGLE ? m->net.scene->length : 0,
                            .origin.carried = m->net.supports.held_count == 0,
                            .odd = m->odd,
-                           .odd_count = list_clamps(m)};
+                           .odd_count = list_odd(m),
+                           .link = m->link,
+                           .link_count = m->link ? m->springs.spring_count : 0};
 
     spring_plate_mean(m->net.scene, cell, plan.mean);
     TRY(pb_sweep_make(&plan, &m->sweep));
@@ -261,7 +269,8 @@ static enum status allocate(struct pb_motion *m)
     size_t nodes = (size_t)m->net.mesh.nodes;
 
     return room_cut(&m->room, ROOM(m->before, 3 * nodes), ROOM(m->work, 9 * nodes),
-                    ROOM(m->odd, m->forms.count));
+                    ROOM(m->odd, m->forms.count),
+                    ROOM(m->link, m->net.mesh.rows ? 0 : m->springs.spring_count));
 }
 
 void pb_motion_clear(void *motion)
@@ -294,6 +303,7 @@ enum status pb_motion_init(struct pb_motion *m, const struct scene *scene,
     /* PBD's stiffness depends on the number of iterations: nothing to arrive at. */
     const bool one = m->projection == PROJECTION_PBD && !d->iterations;
     TRY(net_init(&m->net, scene, d, why));
+    mesh_weigh_edges(&m->net.mesh, scene->density * scene->thickness, m->net.mass);
     TRY(spring_net_init(&m->springs, scene, &m->net.mesh, d->parameters, false));
     TRY(spring_plate_make(scene, &m->net.mesh, d->parameters, &m->forms));
     TRY(allocate(m));
@@ -465,7 +475,7 @@ void pb_motion_energy(const void *motion, struct energy *energy)
 
 /* clang-format off */
 static const struct schema_key options[] = {
-    OPTIONS_NET, {"iterations"}, {"parameters"}, {"precision"},
+    OPTIONS_NET, {"iterations"}, {"parameters"}, {"precision"}, {"mesh"}, {"seed"}, {"refine"},
     {"projection", "projection of constraints on positions",
      OPTION_WORDS([PROJECTION_XPBD] = "xpbd", [PROJECTION_PBD] = "pbd"),
      OPTION_OWN(pb_own, projection)},
@@ -476,7 +486,9 @@ static enum status init(void *state, const struct scene *scene,
                         const struct discretization *d, struct message *why)
 {
     enum status st;
+    const char *lacks = net_mesh_lacks(scene, d, true);
     const struct net_refusal rows[] = {
+        {*lacks, lacks},
         {OWN(pb_own, d)->projection == PROJECTION_PBD && damping_stiffness(scene) > 0 &&
              d->parameters == PARAMETERS_MATCHED,
          "unsupported: no damping by stiffness (rayleigh beta) with projection=pbd, which "
@@ -494,7 +506,7 @@ static void describe(const void *state, struct message *line)
 {
     const struct pb_motion *m = state;
 
-    spring_law_tell(&m->springs.law, m->net.mesh.cell, m->net.scene, line);
+    spring_net_tell(&m->springs, m->net.scene, line);
     size_t end = strlen(line->text);
     snprintf(line->text + end, sizeof line->text - end,
              "; steps of %.3g s, one iteration adds up to %.3g of their compliance to "

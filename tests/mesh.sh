@@ -66,5 +66,20 @@ good run fold --model triangles --set discretization.mesh=irregular \
     --set 'discretization.points=[21,21,1]' --set time.end=0.15 --out fold.h5
 good score fold fold.h5
 grep -q 'Nothing wrong was found' out || fail "a fold on a mesh: $(<out)"
-ends 2 run edge_drop --model mass_spring --set discretization.mesh=irregular
+
+# the other nets know meshes, too, and what they can't do on one
+for model in mass_spring position_based vbd; do
+    on_mesh=(run edge_drop --model "$model" --set time.end=0.01 --set 'snapshots=[]'
+        --set discretization.mesh=good.obj)
+    good "${on_mesh[@]}"
+    ends 2 "${on_mesh[@]}" --set discretization.mesh=grid --set discretization.refine=1
+done
+refuses() { # SENTENCE MODEL SETTING
+    ends 2 run edge_drop --model "$2" --set discretization.mesh=irregular --set "$3"
+    grep -qF -- "$1" err || fail "$2 $3: does not say '$1': $(<err)"
+}
+refuses 'parameters=paper: of a grid only' mass_spring discretization.parameters=paper
+refuses 'of an isotropic sheet only' position_based 'material={fabric: denim}'
+refuses 'surface: of a grid only' mass_spring discretization.surface=cubic
+refuses 'bending=hinge: of a grid only' vbd discretization.bending=hinge
 exit $((failures > 0))

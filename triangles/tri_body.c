@@ -154,19 +154,6 @@ static void find_pairs(const struct blocks *g, int count, const int *node, long 
             *pair++ = pair_of(g, node[p], node[q]);
 }
 
-static void set_plate(struct tri_net *net)
-{
-    for (int k = 0; k < net->forms.count; k++) {
-        const struct spring_form *f = spring_form_of(&net->forms, k);
-        const int at = net->forms.place[k].at;
-        for (int p = 0; p < f->count; p++)
-            for (int q = 0; q < f->count; q++)
-                if (f->step[p] <= f->step[q])
-                    net->plate[pair_of(&net->graph, at + f->step[p], at + f->step[q])] +=
-                        f->stiffness * f->weight[p] * f->weight[q];
-    }
-}
-
 void tri_net_clear(struct tri_net *net)
 {
     blocks_clear(&net->graph);
@@ -200,7 +187,7 @@ enum status tri_net_init(struct tri_net *net, const struct scene *scene,
     new.plate = calloc((size_t) new.graph.start[mesh->nodes], sizeof *new.plate);
     if (!new.plate)
         TRY(STATUS_MEMORY);
-    set_plate(&new);
+    spring_forms_matrix(&new.forms, &new.graph, new.plate);
     HAND_OVER(net, new);
 out:
     tri_net_clear(&new);

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "models/mechanics/pencil.h"
+#include "models/net/spring_net.h"
 
 static double elastic(const struct tri_motion *m, const double *x)
 {
@@ -20,7 +21,6 @@ static enum status make_march(struct tri_motion *m, const struct discretization 
         .moved = &m->swept,
         .body = m->meshed ? m->shell.body : m->body.body,
         .graph = m->meshed ? &m->shell.graph : &m->triangles.graph,
-        .order = m->order,
     };
     return net_march(&m->net, &m->march, d, why);
 }
@@ -48,9 +48,8 @@ static enum status build(struct tri_motion *m, const struct scene *scene,
     if (m->meshed) {
         TRY(tri_shell_init(&m->shell, scene, &m->net.mesh, OWN(tri_own, d)->membrane,
                            d->bending, OWN(tri_own, d)->arc == TRI_ARC_ON));
-        TRY(mesh_order(&m->net.mesh, &m->order));
         if (d->integrator == INTEGRATOR_LEAPFROG)
-            tri_shell_turn_mass(&m->shell, scene->density * scene->thickness, m->net.mass);
+            mesh_weigh_edges(&m->net.mesh, scene->density * scene->thickness, m->net.mass);
     } else {
         TRY(tri_net_init(&m->triangles, scene, &m->net.mesh, d->bending));
         TRY(tri_body_init(&m->body, scene, &m->triangles, OWN(tri_own, d)->membrane));
@@ -70,7 +69,6 @@ static void tri_motion_clear(void *motion)
 
     spring_stencil_clear(&m->stencil);
     march_clear(&m->march);
-    free(m->order);
     tri_shell_clear(&m->shell);
     tri_body_clear(&m->body);
     tri_net_clear(&m->triangles);
@@ -105,7 +103,7 @@ static enum status weigh_turns(struct tri_motion *m, bool on)
     if (!(mass = calloc((size_t)mesh->nodes, sizeof *mass)))
         return STATUS_MEMORY;
     if (on)
-        tri_shell_turn_mass(&m->shell, scene->density * scene->thickness, mass);
+        mesh_weigh_edges(mesh, scene->density * scene->thickness, mass);
     for (int a = mesh->vertices; a < mesh->nodes; a++)
         M[m->shell.graph.start[a]] = mass[a];
     free(mass);
@@ -230,9 +228,6 @@ static enum status refuse(const struct scene *scene, const struct discretization
          "integrator=momentum or implicit only, and membrane=green or corotational"},
         {0}};
 
-    if (grid && (d->seed || d->refine))
-        return status_fail(why, STATUS_INPUT, "%s: of a mesh that is no grid",
-                           d->seed ? "seed" : "refine");
     return net_refuse(scene, d, rows, why);
 }
 
@@ -255,25 +250,13 @@ static void probe(const void *state, int n, const double *uvw, double *xyz)
 static void describe_mesh(const struct tri_motion *m, struct message *line)
 {
     const struct mesh *mesh = &m->net.mesh;
-    const struct law law = scene_law(m->net.scene);
-    const double *of_law = law.matrix[LAW_MEMBRANE];
-    double even[LAW_ENTRIES];
 
     message_add(line, "%d points, %d triangles, %d edges", mesh->vertices,
                 mesh->flat.triangles, mesh->edges);
     if (m->shell.bending == BENDING_HINGE)
         message_add(line, "; hinges bend as the mesh is drawn, and do not converge");
-    if (OWN(tri_own, &m->asked)->membrane != MEMBRANE_SPRINGS)
-        return;
-    tri_shell_even(&m->shell, even);
-    message_add(
-        line,
-        "; springs that stretch evenly have %.2g of the sheet's stiffness against "
-        "tension along u with free sides, %.2g against shear, and %.2g where u and v "
-        "are stretched alike",
-        law_narrow(even) / law_narrow(of_law), even[LAW_33] / of_law[LAW_33],
-        (even[LAW_11] + 2 * even[LAW_12] + even[LAW_22]) /
-            (of_law[LAW_11] + 2 * of_law[LAW_12] + of_law[LAW_22]));
+    if (OWN(tri_own, &m->asked)->membrane == MEMBRANE_SPRINGS)
+        spring_net_tell_mesh(mesh, m->net.scene, line);
 }
 
 /* Describes deviations from the scene's law, and the explicit steps' limit. */

@@ -39,7 +39,6 @@ struct tri_motion {
     struct tri_net triangles;
     struct tri_body body;
     struct tri_shell shell;
-    int *order; /* of the nodes of a mesh, for its band                       owned   */
     struct spring_cells cells; /* swept only, as what follows                    */
     struct spring_stencil stencil;
     struct spring_body swept; /* net NULL: steps are not spring_leapfrog.h's              */

@@ -22,7 +22,6 @@ struct tri_shell_triangle {
     int angle[3];             /* -1: none                                               */
     double share[3], turn[3]; /* al = share theta + turn phi                           */
     int arc[3];               /* of edges                                              */
-    double grad[3][3]; /* slopes along outward normals i by places of points j [1/m]     */
     double part[3]; /* its share of the arc: 1/2 beside another triangle                */
     double T[3]
             [3]; /* curvatures along edges by leans, times its share of the arc's [1/m] */
@@ -38,29 +37,6 @@ struct tri_shell_angle {
 
 /* --- what is built -----------------------------------------------------------------------
  */
-
-/* The plane's geometry of a triangle: its area, and of its edges the lengths, directions
- * and outward normals. */
-struct plane {
-    double area, length[3], along[3][2], out[3][2];
-};
-
-static struct plane plane_of(const struct mesh *mesh, int t)
-{
-    const int *v = mesh->flat.triangle[t];
-    struct plane p;
-
-    for (int i = 0; i < 3; i++) {
-        const double *a = mesh->flat.at[v[(i + 1) % 3]], *b = mesh->flat.at[v[(i + 2) % 3]];
-        const double d[2] = {b[0] - a[0], b[1] - a[1]};
-        p.length[i] = hypot(d[0], d[1]);
-        p.along[i][0] = d[0] / p.length[i], p.along[i][1] = d[1] / p.length[i];
-        p.out[i][0] = p.along[i][1], p.out[i][1] = -p.along[i][0];
-    }
-    p.area = p.length[0] * p.length[1] / 2 *
-             (p.along[0][0] * p.along[1][1] - p.along[0][1] * p.along[1][0]);
-    return p;
-}
 
 /* Inverts a 3 x 3 matrix. */
 static void invert(const double A[3][3], double B[3][3])
@@ -78,48 +54,27 @@ static void invert(const double A[3][3], double B[3][3])
         B[n / 3][n % 3] /= det;
 }
 
-/* Computes M = area B^t C B for columns B[3 components][3 edges]. */
-static void square_form(const double C[LAW_ENTRIES], const double B[3][3], double area,
-                        double M[3][3])
-{
-    for (int j = 0; j < 3; j++) {
-        const double column[3] = {B[0][j], B[1][j], B[2][j]};
-        double stress[3];
-        law_stress(C, column, stress);
-        for (int i = 0; i < 3; i++)
-            M[i][j] =
-                area * (B[0][i] * stress[0] + B[1][i] * stress[1] + B[2][i] * stress[2]);
-    }
-}
-
 /* Fills a direction's row: the strain along it is row . (e_11, e_22, 2 e_12). */
 static void row_along(const double d[2], double row[3])
 {
     row[0] = d[0] * d[0], row[1] = d[1] * d[1], row[2] = d[0] * d[1];
 }
 
-static void set_triangle(struct tri_shell_triangle *t, const struct plane *p,
+static void set_triangle(struct tri_shell_triangle *t, const struct mesh_plane *p,
                          const struct law *law, enum membrane membrane)
 {
     double along[3][3], strain[3][3], bend[3][3];
 
     for (int i = 0; i < 3; i++) {
-        const double *n = p->out[i], s = p->length[i] / p->area;
         row_along(p->along[i], along[i]);
-        bend[0][i] = s * n[0] * n[0], bend[1][i] = s * n[1] * n[1];
-        bend[2][i] = s * 2 * n[0] * n[1];
         t->square[i] = p->length[i] * p->length[i];
     }
     invert((const double(*)[3])along, strain);
-    square_form(law->matrix[LAW_MEMBRANE], (const double(*)[3])strain, p->area, t->P);
+    law_square(law->matrix[LAW_MEMBRANE], strain, p->area, t->P);
     for (int n = 0; membrane == MEMBRANE_SPRINGS && n < 9; n++)
         t->P[n / 3][n % 3] =
             n % 4 ? 0 : sqrt(3) / 4 * law->young * law->thickness * t->square[n / 3];
-    square_form(law->matrix[LAW_BENDING], (const double(*)[3])bend, p->area, t->Q);
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++) /* the hat of j falls along the normal out of side j */
-            t->grad[i][j] = -(p->out[i][0] * p->out[j][0] + p->out[i][1] * p->out[j][1]) *
-                            p->length[j] / (2 * p->area);
+    spring_plate_triangle(p, law->matrix[LAW_BENDING], bend, t->Q);
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             t->T[i][j] = t->part[i] * (along[i][0] * bend[0][j] + along[i][1] * bend[1][j] +
@@ -216,7 +171,7 @@ static void set_hinges(struct tri_shell *s, double D)
         for (int i = 0; i < 3; i++)
             if (s->triangle[t].angle[i] >= 0)
                 s->angle[s->triangle[t].angle[i]].k +=
-                    plane_of(s->mesh, t).area / (D * s->triangle[t].square[i]);
+                    mesh_plane_of(s->mesh, t).area / (D * s->triangle[t].square[i]);
     for (int n = 0; n < s->angles; n++)
         s->angle[n].k = 1 / s->angle[n].k;
 }
@@ -357,17 +312,6 @@ static void find_bows(const struct tri_shell *s, const double *theta)
     }
 }
 
-/* Returns component c of a triangle's lean over side i. */
-static double lean_of_slope(const struct tri_shell_triangle *t, int i, int c,
-                            const double *x)
-{
-    double al = t->turn[i] == 0 ? 0 : t->turn[i] * x[3 * (size_t)t->node[TURNS + i] + c];
-
-    for (int j = 0; t->turn[i] != 0 && j < 3; j++)
-        al -= t->grad[i][j] * x[3 * (size_t)t->node[j] + c];
-    return al;
-}
-
 static double *strain_of(const void *self, int thread, int element, const double *x,
                          const struct large_foresight *foresight)
 {
@@ -391,9 +335,8 @@ static double *strain_of(const void *self, int thread, int element, const double
                 more -= edge_of(t, i, change, e);
             *next++ = more / (2 * t->square[i]) + bow * bow * t->square[i] / 24;
         }
-    for (int t = 0; s->bending == BENDING_QUADRATIC && t < mesh->flat.triangles; t++)
-        for (int n = 0; n < 9; n++)
-            *next++ = lean_of_slope(&s->triangle[t], n / 3, n % 3, x);
+    for (int k = 0; k < s->forms.count; k++)
+        spring_form_value(&s->forms, k, x, next + 3 * k);
     return s->strain;
 }
 
@@ -464,36 +407,6 @@ static void pulls_of(const struct tri_shell_triangle *t, const double *e, double
         pull[i] = along(t->P[i], e) / t->square[i];
 }
 
-/* Adds the forces of leans al[3 sides][3 components]. */
-static void slope_force(const struct tri_shell_triangle *t, const double *al, double *force)
-{
-    for (int i = 0; i < 3; i++)
-        for (int c = 0; t->turn[i] != 0 && c < 3; c++) {
-            const double q =
-                t->Q[i][0] * al[c] + t->Q[i][1] * al[3 + c] + t->Q[i][2] * al[6 + c];
-            force[3 * (size_t)t->node[TURNS + i] + c] += t->turn[i] * q;
-            for (int j = 0; j < 3; j++)
-                force[3 * (size_t)t->node[j] + c] -= t->grad[i][j] * q;
-        }
-}
-
-static void slope_tangent(const struct tri_shell_triangle *t, double s1, double (*K)[9])
-{
-    double A[3][NODES] = {{0}};
-
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; t->turn[i] != 0 && j < 3; j++)
-            A[i][j] = -t->grad[i][j], A[i][TURNS + i] = t->turn[i];
-    for (int p = 0; p < NODES; p++)
-        for (int q = 0; q < NODES; q++) {
-            double k = 0;
-            for (int n = 0; n < 9; n++)
-                k += A[n / 3][p] * t->Q[n / 3][n % 3] * A[n % 3][q];
-            for (int i = 0; t->pair[p][q] >= 0 && i < 3; i++)
-                K[t->pair[p][q]][4 * i] += s1 * k;
-        }
-}
-
 static void add_force(const void *self, int thread, int element, double *force)
 {
     const struct tri_shell *s = self;
@@ -512,9 +425,8 @@ static void add_force(const void *self, int thread, int element, double *force)
             }
         }
     }
-    for (int t = 0; s->bending == BENDING_QUADRATIC && t < s->mesh->flat.triangles;
-         t++, e += 9)
-        slope_force(&s->triangle[t], e, force);
+    for (int k = 0; k < s->forms.count; k++, e += 3)
+        spring_form_pull(&s->forms, k, spring_form_of(&s->forms, k)->stiffness, e, force);
     find_moments(s, force);
     for (int n = 0; n < s->angles; n++) {
         const struct tri_shell_angle *a = &s->angle[n];
@@ -690,6 +602,9 @@ static void add_tangent(const void *self, int thread, int element,
     const struct tri_shell *s = self;
 
     (void)thread, (void)element;
+    for (long n = 0; s->plate && n < s->graph.start[s->mesh->nodes]; n++)
+        for (int i = 0; i < 3; i++)
+            K[n][4 * i] += path->s1 * s->plate[n];
     find_moments(s, NULL);
     for (int n = 0; n < s->angles; n++)
         angle_tangent(s, n, path, K);
@@ -697,28 +612,8 @@ static void add_tangent(const void *self, int thread, int element,
         membrane_tangent(s, &s->triangle[t], s->strain + 3 * (size_t)t, path, K);
         if (s->arc)
             arc_tangent(s, t, path, K);
-        if (s->bending == BENDING_QUADRATIC)
-            slope_tangent(&s->triangle[t], path->s1, K);
         if (s->bending == BENDING_MIDEDGE)
             lean_tangent(s, &s->triangle[t], path->s1, K);
-    }
-}
-
-void tri_shell_even(const struct tri_shell *s, double even[LAW_ENTRIES])
-{
-    static const int at[LAW_ENTRIES][2] = {{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}};
-    const double per_area = 1 / (s->mesh->size[0] * s->mesh->size[1]);
-
-    memset(even, 0, LAW_ENTRIES * sizeof *even);
-    for (int t = 0; t < s->mesh->flat.triangles; t++) {
-        const struct plane p = plane_of(s->mesh, t);
-        double row[3][3];
-        for (int i = 0; i < 3; i++)
-            row_along(p.along[i], row[i]);
-        for (int k = 0; k < LAW_ENTRIES; k++)
-            for (int n = 0; n < 9; n++)
-                even[k] += per_area * row[n / 3][at[k][0]] *
-                           s->triangle[t].P[n / 3][n % 3] * row[n % 3][at[k][1]];
     }
 }
 
@@ -736,10 +631,8 @@ double tri_shell_energy(const struct tri_shell *s, const double *x)
         for (int i = 0; s->bending == BENDING_MIDEDGE && i < 3; i++)
             sum += al[i] * along(own->Q[i], al) / 2;
     }
-    for (int t = 0; e && s->bending == BENDING_QUADRATIC && t < s->mesh->flat.triangles;
-         t++, e += 9)
-        for (int n = 0; n < 27; n++)
-            sum += e[n % 9] * s->triangle[t].Q[n % 9 / 3][n / 9] * e[n / 9 * 3 + n % 3] / 2;
+    for (int k = 0; e && k < s->forms.count; k++, e += 3)
+        sum += spring_form_of(&s->forms, k)->stiffness * vector_dot(e, e) / 2;
     for (int n = 0; e && s->bending == BENDING_HINGE && n < s->angles; n++)
         sum += s->angle[n].k * angles_of(s)[n] * angles_of(s)[n] / 2;
     return e ? sum : NAN;
@@ -751,26 +644,14 @@ static enum status energy_of(const void *self, const double *x, double *energy)
     return isfinite(*energy) ? STATUS_OK : STATUS_NAN;
 }
 
-void tri_shell_turn_mass(const struct tri_shell *s, double areal, double *mass)
-{
-    const struct mesh *mesh = s->mesh;
-
-    for (int t = 0; s->bending != BENDING_HINGE && t < mesh->flat.triangles; t++) {
-        const struct plane p = plane_of(mesh, t);
-        for (int i = 0; i < 3; i++) {
-            const double height = 2 * p.area / p.length[i] / s->mesh->scale;
-            mass[mesh->vertices + mesh->side[t][i]] +=
-                areal * p.area * height * height / 30;
-        }
-    }
-}
-
 /* --- life --------------------------------------------------------------------------------
  */
 
 void tri_shell_clear(struct tri_shell *s)
 {
+    spring_forms_clear(&s->forms);
     blocks_clear(&s->graph);
+    free(s->plate);
     free(s->room);
     memset(s, 0, sizeof *s);
 }
@@ -795,28 +676,35 @@ enum status tri_shell_init(struct tri_shell *s, const struct scene *scene,
         ROOM(s->pull, arc ? 2 * most : 0), ROOM(s->angle_now, arc ? most + turns : 0)));
     TRY(set_sides(s));
     for (int t = 0; t < triangles; t++) {
-        const struct plane p = plane_of(mesh, t);
+        const struct mesh_plane p = mesh_plane_of(mesh, t);
         set_triangle(&s->triangle[t], &p, &law, membrane);
     }
     if (bending == BENDING_HINGE)
         set_hinges(s, scene_bending_stiffness(scene));
     TRY(make_graph(s));
     find_pairs(s);
-    s->body = (struct large_body){
-        .self = s,
-        .nodes = mesh->nodes,
-        .slabs = 1,
-        .threads = 1,
-        .slab = whole,
-        .pairs = s->graph.start[mesh->nodes],
-        .strains =
-            most + (bending == BENDING_QUADRATIC ? 3 * most : (size_t)s->angles + turns),
-        .lagged = most,
-        .strain = strain_of,
-        .geometry = set_geometry,
-        .energy = energy_of,
-        .force = add_force,
-        .tangent = add_tangent};
+    if (bending == BENDING_QUADRATIC) {
+        TRY(spring_plate_make(scene, mesh, PARAMETERS_MATCHED, &s->forms));
+        s->plate = calloc((size_t)s->graph.start[mesh->nodes], sizeof *s->plate);
+        if (!s->plate)
+            TRY(STATUS_MEMORY);
+        spring_forms_matrix(&s->forms, &s->graph, s->plate);
+    }
+    s->body = (struct large_body){.self = s,
+                                  .nodes = mesh->nodes,
+                                  .slabs = 1,
+                                  .threads = 1,
+                                  .slab = whole,
+                                  .pairs = s->graph.start[mesh->nodes],
+                                  .strains = most + (bending == BENDING_QUADRATIC
+                                                         ? 3 * (size_t)s->forms.count
+                                                         : (size_t)s->angles + turns),
+                                  .lagged = most,
+                                  .strain = strain_of,
+                                  .geometry = set_geometry,
+                                  .energy = energy_of,
+                                  .force = add_force,
+                                  .tangent = add_tangent};
 out:
     if (st != STATUS_OK)
         tri_shell_clear(s);

@@ -16,10 +16,7 @@
  *            on a rim. The curvature of a triangle, sum over its edges of (l / A) al n n^t,
  *            n their normals in the plane, is constant; energy 1/2 al Q al with a constant
  *            Q, for any bending matrix. It converges with second order on every mesh.
- *   quadratic  Morley's element for each component of the places: an edge has the sheet's
- *            slope across it, a vector, and al = slope - that of the triangle, outward.
- *            The energy is quadratic, as that of spring_plate.h on a grid, of which it has
- *            what that counts of lines in the surface.
+ *   quadratic  spring_plate.h: Morley's element for each component of the places.
  *
  * Arcs: a triangle that bends is flat, and its edges are chords; between points that a
  * bent sheet has, they are shorter than the sheet by (k l)^2 / 24 of their length l, k the
@@ -32,8 +29,7 @@
  * at rest, and its angle counts whole: al = theta.
  *
  * The unknown of a turn or slope is that times mesh->scale, a length, so that all are
- * lengths. In implicit steps turns have no mass; in explicit ones that of Morley's cubic, A
- * h^2 / 30 times the mass per area from each triangle beside, h its height over the edge.
+ * lengths. In implicit steps turns have no mass; in explicit ones mesh_weigh_edges's.
  */
 #ifndef TRI_SHELL_H
 #define TRI_SHELL_H
@@ -41,6 +37,7 @@
 #include "models/linalg/blocks.h"
 #include "models/mechanics/large_body.h"
 #include "models/mesh/mesh.h"
+#include "models/net/spring_plate.h"
 #include "models/net/spring_sweep.h"
 
 struct tri_shell {
@@ -52,6 +49,8 @@ struct tri_shell {
     struct tri_shell_triangle *triangle; /* [triangles]                                */
     struct tri_shell_angle *angle;
     int angles;
+    struct spring_forms forms; /* of bending=quadratic                         owned   */
+    double *plate;             /* [pairs] their second derivatives; or NULL    owned   */
     bool arc;
     int arcs;           /* [arcs] of edges, and of clamps from each side            */
     double *bow, *pull; /* work: [arcs] k [1/m]; the membrane's on it times l^2/12
@@ -70,13 +69,7 @@ enum status tri_shell_init(struct tri_shell *s, const struct scene *scene,
                            enum bending bending, bool arc);
 void tri_shell_clear(struct tri_shell *s);
 
-/* Computes the matrix (law.h) that the membrane has where strains are even [N/m]. */
-void tri_shell_even(const struct tri_shell *s, double even[LAW_ENTRIES]);
-
 /* Returns elastic energy at x[nodes][3] [J]: NaN where a triangle has no area. */
 double tri_shell_energy(const struct tri_shell *s, const double *x);
-
-/* Sets the mass of turns, of explicit steps, in mass[nodes] [kg]; areal [kg/m^2]. */
-void tri_shell_turn_mass(const struct tri_shell *s, double areal, double *mass);
 
 #endif

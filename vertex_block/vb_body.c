@@ -22,25 +22,30 @@ static void start_lists(int nodes, int *from)
         from[a + 1] += from[a];
 }
 
-static void count_elements(struct vb_body *b, const struct tri_net *net,
-                           const struct spring_net *springs)
+static void count_elements(struct vb_body *b, const struct vb_parts *parts)
 {
+    const struct tri_net *net = parts->net;
+    const struct spring_net *springs = parts->springs;
+    const struct mesh_flat *flat = &parts->mesh->flat;
 
-    for (int k = 0; !springs && k < net->triangle_count; k++)
+    for (int k = 0; !springs && net && k < net->triangle_count; k++)
         for (int c = 0; c < 3; c++)
             b->corners_from[net->triangles[k].node[c] + 1]++;
+    for (int t = 0; !springs && !net && t < flat->triangles; t++)
+        for (int c = 0; c < 3; c++)
+            b->corners_from[flat->triangle[t][c] + 1]++;
     for (int k = 0; springs && k < springs->spring_count; k++) {
         b->springs_from[springs->springs[k].a + 1]++;
         b->springs_from[springs->springs[k].b + 1]++;
     }
     for (int a = 0; a < b->nodes; a++)
-        for (long n = net->graph.start[a]; n < net->graph.start[a + 1]; n++) {
-            if (net->plate[n] == 0)
+        for (long n = parts->graph->start[a]; n < parts->graph->start[a + 1]; n++) {
+            if (parts->plate[n] == 0)
                 continue;
             b->plates_from[a + 1]++;
-            b->plates_from[net->graph.node[n] + 1] += net->graph.node[n] != a;
+            b->plates_from[parts->graph->node[n] + 1] += parts->graph->node[n] != a;
         }
-    for (int k = 0; k < net->hinge_count; k++)
+    for (int k = 0; net && k < net->hinge_count; k++)
         for (int c = 0; c < 4; c++)
             b->hinges_from[net->hinges[k].node[c] + 1]++;
     start_lists(b->nodes, b->corners_from);
@@ -49,20 +54,42 @@ static void count_elements(struct vb_body *b, const struct tri_net *net,
     start_lists(b->nodes, b->hinges_from);
 }
 
-static void list_corners(struct vb_body *b, const struct tri_net *net, int *next)
+/* Lists a triangle at its corners. */
+static void list_corner(struct vb_body *b, struct vb_corner *corner, int *next)
 {
-    const double *cell = net->mesh->cell;
+    for (int c = 0; c < 3; c++) {
+        for (int d = 0; d < 2; d++) /* of the ends of e_d and of e_(1-d) */
+            corner->share[d] = c == 0       ? -corner->side[d] - corner->skew[d]
+                               : c == 1 + d ? corner->side[d]
+                                            : corner->skew[d];
+        b->corner[next[corner->node[c]]++] = *corner;
+    }
+}
 
-    for (const struct tri_triangle *t = net->triangles;
-         t < net->triangles + net->triangle_count; t++)
-        for (int c = 0; c < 3; c++) {
-            struct vb_corner *at = &b->corner[next[t->node[c]]++];
-            memcpy(at->node, t->node, sizeof at->node);
-            for (int d = 0; d < 2; d++) {
-                at->side[d] = t->side[d] / cell[d];
-                at->share[d] = c == 0 ? -at->side[d] : c == 1 + d ? at->side[d] : 0;
-            }
-        }
+static void list_corners(struct vb_body *b, const struct vb_parts *parts, int *next)
+{
+    const struct mesh *mesh = parts->mesh;
+    const double *cell = mesh->cell;
+
+    for (int k = 0; parts->net && k < parts->net->triangle_count; k++) {
+        const struct tri_triangle *t = &parts->net->triangles[k];
+        struct vb_corner corner = {.area = cell[0] * cell[1] / 2,
+                                   .side = {t->side[0] / cell[0], t->side[1] / cell[1]}};
+        memcpy(corner.node, t->node, sizeof corner.node);
+        list_corner(b, &corner, next);
+    }
+    for (int t = 0; !parts->net && t < mesh->flat.triangles; t++) {
+        const int *v = mesh->flat.triangle[t];
+        const double *x = mesh->flat.at[v[0]], *y = mesh->flat.at[v[1]],
+                     *z = mesh->flat.at[v[2]];
+        const double e[2] = {y[0] - x[0], y[1] - x[1]}, f[2] = {z[0] - x[0], z[1] - x[1]};
+        const double twice = e[0] * f[1] - e[1] * f[0];
+        struct vb_corner corner = {.area = twice / 2,
+                                   .side = {f[1] / twice, e[0] / twice},
+                                   .skew = {-e[1] / twice, -f[0] / twice}};
+        memcpy(corner.node, v, sizeof corner.node);
+        list_corner(b, &corner, next);
+    }
 }
 
 static void list_springs(struct vb_body *b, const struct spring_net *net, int *next)
@@ -74,22 +101,22 @@ static void list_springs(struct vb_body *b, const struct spring_net *net, int *n
 }
 
 /* Lists the plate's matrix by rows, and what its clamps pull at rest. */
-static void list_plate(struct vb_body *b, const struct tri_net *net, int *next)
+static void list_plate(struct vb_body *b, const struct vb_parts *parts, int *next)
 {
-    const struct blocks *g = &net->graph;
+    const struct blocks *g = parts->graph;
 
     for (int a = 0; a < b->nodes; a++)
         for (long n = g->start[a]; n < g->start[a + 1]; n++) {
             const int other = g->node[n];
-            if (net->plate[n] == 0)
+            if (parts->plate[n] == 0)
                 continue;
-            b->plate[next[a]++] = (struct vb_plate){other, net->plate[n]};
+            b->plate[next[a]++] = (struct vb_plate){other, parts->plate[n]};
             if (other != a)
-                b->plate[next[other]++] = (struct vb_plate){a, net->plate[n]};
+                b->plate[next[other]++] = (struct vb_plate){a, parts->plate[n]};
         }
-    for (int k = 0; k < net->forms.count; k++) {
-        const struct spring_form *f = spring_form_of(&net->forms, k);
-        spring_form_pull(&net->forms, k, f->stiffness, f->shift, b->pull);
+    for (int k = 0; k < parts->forms->count; k++) {
+        const struct spring_form *f = spring_form_of(parts->forms, k);
+        spring_form_pull(parts->forms, k, f->stiffness, f->shift, b->pull);
     }
 }
 
@@ -144,8 +171,7 @@ static enum status colour_nodes(struct vb_body *b)
     return good ? STATUS_OK : STATUS_MEMORY;
 }
 
-static enum status list_elements(struct vb_body *b, const struct tri_net *net,
-                                 const struct spring_net *springs)
+static enum status list_elements(struct vb_body *b, const struct vb_parts *parts)
 {
     const size_t bytes = (size_t)b->nodes * sizeof(int);
     int *next = malloc(bytes + 1);
@@ -154,14 +180,15 @@ static enum status list_elements(struct vb_body *b, const struct tri_net *net,
         return STATUS_MEMORY;
     memcpy(next, b->corners_from, bytes);
     if (b->corners_from[b->nodes])
-        list_corners(b, net, next);
+        list_corners(b, parts, next);
     memcpy(next, b->springs_from, bytes);
     if (b->springs_from[b->nodes])
-        list_springs(b, springs, next);
+        list_springs(b, parts->springs, next);
     memcpy(next, b->plates_from, bytes);
-    list_plate(b, net, next);
+    list_plate(b, parts, next);
     memcpy(next, b->hinges_from, bytes);
-    list_hinges(b, net, next);
+    if (parts->net)
+        list_hinges(b, parts->net, next);
     free(next);
     return STATUS_OK;
 }
@@ -172,29 +199,32 @@ void vb_body_clear(struct vb_body *b)
     memset(b, 0, sizeof *b);
 }
 
-enum status vb_body_init(struct vb_body *b, const struct tri_net *net,
-                         const struct tri_body *law, const struct spring_net *springs)
+enum status vb_body_init(struct vb_body *b, const struct vb_parts *parts)
 {
     enum status st;
-    const size_t nodes = (size_t)net->mesh->nodes;
+    const struct tri_net *net = parts->net;
+    const struct spring_net *springs = parts->springs;
+    const size_t nodes = (size_t)parts->mesh->nodes;
+    const int triangles = net ? net->triangle_count : parts->mesh->flat.triangles;
 
-    *b = (struct vb_body){.nodes = net->mesh->nodes, .area = law->area};
+    *b = (struct vb_body){.nodes = parts->mesh->nodes};
     for (int j = 0; j < 3; j++) {
         double e[3] = {0}, stress[3];
         e[j] = 1;
-        law_stress(law->D[0], e, stress);
+        law_stress(parts->D, e, stress);
         for (int i = 0; i < 3; i++)
             b->D[i][j] = stress[i];
     }
-    TRY(room_cut(
-        &b->room, ROOM(b->corners_from, nodes + 1), ROOM(b->springs_from, nodes + 1),
-        ROOM(b->plates_from, nodes + 1), ROOM(b->hinges_from, nodes + 1),
-        ROOM(b->corner, springs ? 0 : 3 * net->triangle_count),
-        ROOM(b->spring, springs ? 2 * springs->spring_count : 0),
-        ROOM(b->plate, 2 * net->graph.start[nodes]), ROOM(b->hinge, 4 * net->hinge_count),
-        ROOM(b->pull, 3 * nodes), ROOM(b->order, nodes), ROOM(b->colours_from, nodes + 1)));
-    count_elements(b, net, springs);
-    TRY(list_elements(b, net, springs));
+    TRY(room_cut(&b->room, ROOM(b->corners_from, nodes + 1),
+                 ROOM(b->springs_from, nodes + 1), ROOM(b->plates_from, nodes + 1),
+                 ROOM(b->hinges_from, nodes + 1),
+                 ROOM(b->corner, springs ? 0 : 3 * triangles),
+                 ROOM(b->spring, springs ? 2 * springs->spring_count : 0),
+                 ROOM(b->plate, 2 * parts->graph->start[nodes]),
+                 ROOM(b->hinge, net ? 4 * net->hinge_count : 0), ROOM(b->pull, 3 * nodes),
+                 ROOM(b->order, nodes), ROOM(b->colours_from, nodes + 1)));
+    count_elements(b, parts);
+    TRY(list_elements(b, parts));
     TRY(colour_nodes(b));
 out:
     if (st != STATUS_OK)
@@ -229,15 +259,16 @@ static inline void add_corner(const struct vb_body *b, const struct vb_corner *c
     double U[3], V[3], G[3][3], S[3], DG[3][3];
 
     for (int i = 0; i < 3; i++) {
-        U[i] = c->side[0] * (x1[i] - x0[i]), V[i] = c->side[1] * (x2[i] - x0[i]);
+        const double e = x1[i] - x0[i], f = x2[i] - x0[i];
+        U[i] = c->side[0] * e + c->skew[0] * f, V[i] = c->side[1] * f + c->skew[1] * e;
         G[0][i] = wu * U[i], G[1][i] = wv * V[i], G[2][i] = wu * V[i] + wv * U[i];
     }
     const double e[3] = {(vector_dot(U, U) - 1) / 2, (vector_dot(V, V) - 1) / 2,
                          vector_dot(U, V)};
     for (int k = 0; k < 3; k++) {
-        S[k] = b->area * (b->D[k][0] * e[0] + b->D[k][1] * e[1] + b->D[k][2] * e[2]);
+        S[k] = c->area * (b->D[k][0] * e[0] + b->D[k][1] * e[1] + b->D[k][2] * e[2]);
         for (int i = 0; i < 3; i++)
-            DG[k][i] = b->area *
+            DG[k][i] = c->area *
                        (b->D[k][0] * G[0][i] + b->D[k][1] * G[1][i] + b->D[k][2] * G[2][i]);
     }
     for (int i = 0, n = 0; i < 3; i++) {

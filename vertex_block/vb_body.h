@@ -14,11 +14,11 @@
 #include "triangles/tri_body.h"
 
 /* A triangle at one of its corners: of the tangents X_u and X_v, a change of the corner
- * changes `share`. */
+ * changes `share`. With e_d = x_node[1 + d] - x_node[0], X_d = side[d] e_d + skew[d]
+ * e_(1-d); a grid's have no skew. */
 struct vb_corner {
     int node[3];
-    double side[2];  /* X_d = side[d] (x_node[1 + d] - x_node[0])               [1/m]   */
-    double share[2]; /*                                                        [1/m]   */
+    double area, side[2], skew[2], share[2]; /*                         [m^2], [1/m]   */
 };
 
 struct vb_spring {
@@ -39,8 +39,8 @@ struct vb_hinge {
 
 struct vb_body {
     int nodes;
-    double D[3][3], area; /* plane stress [N/m]; of a triangle                  [m^2]  */
-    void *room;           /* of the arrays                                      owned  */
+    double D[3][3]; /* plane stress                                             [N/m]  */
+    void *room;     /* of the arrays                                            owned  */
     /* [nodes + 1] where the elements of each node begin in the lists below */
     int *corners_from, *springs_from, *plates_from, *hinges_from;
     struct vb_corner *corner;
@@ -53,10 +53,20 @@ struct vb_body {
     int *colours_from; /* [nodes + 1] the first colours + 1 are used                    */
 };
 
-/* Lists the elements of a net: its triangles of this law, or these springs unless they are
- * NULL; forms and hinges. net is borrowed. */
-enum status vb_body_init(struct vb_body *b, const struct tri_net *net,
-                         const struct tri_body *law, const struct spring_net *springs);
+/* What a body is made of: borrowed, until it is cleared. */
+struct vb_parts {
+    const struct mesh *mesh;
+    const double *D;                  /* [LAW_ENTRIES] of the membrane         [N/m]   */
+    const struct spring_forms *forms; /* bending, with its matrix                      */
+    const struct blocks *graph;
+    const double *plate;
+    const struct tri_net
+        *net; /* triangles of a grid, and hinges; NULL: those of the mesh */
+    const struct spring_net *springs; /* in place of triangles, unless NULL            */
+};
+
+/* Lists the elements of a net. */
+enum status vb_body_init(struct vb_body *b, const struct vb_parts *parts);
 void vb_body_clear(struct vb_body *b);
 
 /* The step's function: sum of inertia |x - target|^2 / 2 over the nodes, and the energy. */

@@ -26,20 +26,17 @@ static size_t count(const struct vb_motion *m)
 
 static double springs_energy(const struct vb_motion *m)
 {
-    const struct spring_forms *forms = &m->triangles.forms;
-    double sum = spring_net_energy(&m->springs, m->net.x), value[3];
+    const bool grid = m->net.mesh.rows;
 
-    for (int k = 0; k < forms->count; k++) {
-        spring_form_value(forms, k, m->net.x, value);
-        sum += spring_form_of(forms, k)->stiffness * vector_dot(value, value) / 2;
-    }
-    return sum;
+    return spring_forms_energy(grid ? &m->triangles.forms : &m->shell.forms, m->net.x,
+                               spring_net_energy(&m->springs, m->net.x));
 }
 
 static double elastic(const struct vb_motion *m)
 {
     return m->own.elements == VB_SPRINGS ? springs_energy(m)
-                                         : tri_body_energy(&m->law, m->net.x);
+           : m->net.mesh.rows            ? tri_body_energy(&m->law, m->net.x)
+                                         : tri_shell_energy(&m->shell, m->net.x);
 }
 
 static enum status allocate(struct vb_motion *m)
@@ -68,7 +65,7 @@ static enum status make_contact(struct vb_motion *m)
 
     for (int a = 0; a < m->net.mesh.nodes; a++) {
         m->inertia[a] = (m->net.mass[a] / m->dt + m->net.drag[a]) / m->dt;
-        if (m->net.contact)
+        if (m->net.contact && m->inertia[a] > 0)
             m->net.contact->compliance[a] = 1 / m->inertia[a];
     }
     if (m->net.contact)
@@ -82,11 +79,44 @@ static void vb_motion_clear(void *motion)
 
     vb_body_clear(&m->body);
     spring_net_clear(&m->springs);
+    tri_shell_clear(&m->shell);
     tri_body_clear(&m->law);
     tri_net_clear(&m->triangles);
     net_clear(&m->net);
     free(m->room);
     memset(m, 0, sizeof *m);
+}
+
+/* Makes the body, and what it is made of. */
+static enum status make_body(struct vb_motion *m, enum bending bending)
+{
+    const struct scene *scene = m->net.scene;
+    const struct mesh *mesh = &m->net.mesh;
+    const bool springs = m->own.elements == VB_SPRINGS;
+    const struct law law = scene_law(scene);
+    struct vb_parts parts = {mesh,
+                             mesh->rows ? m->law.D[0] : law.matrix[LAW_MEMBRANE],
+                             mesh->rows ? &m->triangles.forms : &m->shell.forms,
+                             mesh->rows ? &m->triangles.graph : &m->shell.graph,
+                             NULL,
+                             mesh->rows ? &m->triangles : NULL,
+                             springs ? &m->springs : NULL};
+    enum status st;
+
+    if (springs)
+        TRY(spring_net_init(&m->springs, scene, mesh, PARAMETERS_MATCHED, false));
+    if (mesh->rows) {
+        TRY(tri_net_init(&m->triangles, scene, mesh, bending));
+        scale_hinges(m);
+        TRY(tri_body_init(&m->law, scene, &m->triangles, MEMBRANE_GREEN));
+    } else {
+        TRY(tri_shell_init(&m->shell, scene, mesh, MEMBRANE_GREEN, BENDING_QUADRATIC,
+                           false));
+    }
+    parts.plate = mesh->rows ? m->triangles.plate : m->shell.plate;
+    TRY(vb_body_init(&m->body, &parts));
+out:
+    return st;
 }
 
 /* Initialises; *m must stay where it is: it holds pointers into itself. */
@@ -97,14 +127,8 @@ static enum status vb_motion_init(struct vb_motion *m, const struct scene *scene
 
     *m = (struct vb_motion){.own = *OWN(vb_own, d), .substeps = d->substeps};
     m->dt = scene->step / m->substeps;
-    const bool springs = m->own.elements == VB_SPRINGS;
     TRY(net_init(&m->net, scene, d, why));
-    TRY(tri_net_init(&m->triangles, scene, &m->net.mesh, d->bending));
-    if (springs)
-        TRY(spring_net_init(&m->springs, scene, &m->net.mesh, PARAMETERS_MATCHED, false));
-    scale_hinges(m);
-    TRY(tri_body_init(&m->law, scene, &m->triangles, MEMBRANE_GREEN));
-    TRY(vb_body_init(&m->body, &m->triangles, &m->law, springs ? &m->springs : NULL));
+    TRY(make_body(m, d->bending));
     TRY(allocate(m));
     m->rest_energy = elastic(m);
     TRY(make_contact(m));
@@ -124,6 +148,7 @@ static void predict(struct vb_motion *m)
     for (int a = 0; a < m->net.mesh.nodes; a++) {
         const double mass = m->net.mass[a], *load = m->net.load + 3 * a;
         const double square = vector_dot(load, load);
+        const bool weighs = mass > 0; /* a slope does not */
         double share = m->substep == 0 ? 1 : 0;
 
         if (m->substep > 0 && square > 0)
@@ -131,9 +156,11 @@ static void predict(struct vb_motion *m)
         share = fmin(fmax(share, 0), 1);
         for (int c = 3 * a, i = 0; i < 3; c++, i++) {
             m->start[c] = m->net.x[c];
-            m->target[c] =
-                m->net.x[c] + (mass / m->dt * m->net.v[c] + load[i]) / m->inertia[a];
-            m->net.x[c] += m->dt * (m->net.v[c] + share * m->dt * load[i] / mass);
+            m->target[c] = m->net.x[c];
+            if (weighs)
+                m->target[c] += (mass / m->dt * m->net.v[c] + load[i]) / m->inertia[a];
+            const double gain = weighs ? share * m->dt * load[i] / mass : 0;
+            m->net.x[c] += m->dt * (m->net.v[c] + gain);
         }
     }
 }
@@ -245,7 +272,7 @@ void vb_motion_energy(const void *motion, struct energy *energy)
 
 /* clang-format off */
 static const struct schema_key options[] = {
-    OPTIONS_NET, {"iterations"},
+    OPTIONS_NET, {"iterations"}, {"mesh"}, {"seed"}, {"refine"},
     {"bending", .only = OPTION(BENDING_QUADRATIC) | OPTION(BENDING_HINGE)},
     {"elements", "elements of the membrane",
      OPTION_WORDS([VB_TRIANGLES] = "triangles", [VB_SPRINGS] = "springs"),
@@ -262,7 +289,13 @@ static enum status refuse(const struct scene *scene, const struct discretization
                           struct message *why)
 {
     enum status st;
+    const char *lacks = net_mesh_lacks(scene, d, OWN(vb_own, d)->elements == VB_SPRINGS);
     const struct net_refusal rows[] = {
+        {*lacks, lacks},
+        {d->bending == BENDING_HINGE && !mesh_is_grid(d),
+         "bending=hinge: of a grid only; a clamp's hinge on a mesh has a point that is "
+         "none "
+         "of the net, which a sweep over points does not move"},
         {damping_stiffness(scene) != 0,
          "unsupported: no damping by stiffness (rayleigh beta): that of Chen et al. would "
          "resist rigid turns, too"},

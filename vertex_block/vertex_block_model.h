@@ -3,6 +3,7 @@
 #define VERTEX_BLOCK_MODEL_H
 
 #include "models/net/net.h"
+#include "triangles/tri_shell.h"
 #include "vertex_block/vb_body.h"
 
 /* A net in time by vertex block descent (Chen, Liu, Yang, Yuksel 2024, ACM Trans. Graph.
@@ -22,6 +23,9 @@
  * acceleration that the last step's velocity change shows, between none and all of it; its
  * change before contact, of which the sweeps know nothing: what a body carries falls in
  * them. Chebyshev (sec. 3.8; Wang 2015): after sweep k x_k <- w (x_k - x_(k-2)) + x_(k-2).
+ *
+ * On a mesh that is no grid the elements are its triangles, or its edges' springs, and
+ * bending is spring_plate.h's, with slopes that are points without mass.
  *
  * Damping: mass and alpha, and drag, are c; velocity_scale and velocity_rate act once a
  * frame; stiffness damping is refused: the paper's resists rigid turns, too. Contact ends
@@ -49,6 +53,7 @@ struct vb_motion {
     struct tri_net triangles;
     struct spring_net springs; /* of VB_SPRINGS, else empty                             */
     struct tri_body law;
+    struct tri_shell shell; /* on a mesh that is no grid, else the net and law before   */
     struct vb_body body;
     struct vb_own own;
     struct arrival arrival;

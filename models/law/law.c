@@ -133,6 +133,17 @@ void law_transform(const double matrix[LAW_ENTRIES], double T[3][3],
         }
 }
 
+void law_square(const double matrix[LAW_ENTRIES], double T[3][3], double area,
+                double A[3][3])
+{
+    double out[LAW_ENTRIES];
+
+    law_transform(matrix, T, out);
+    for (int i = 0, entry = 0; i < 3; i++)
+        for (int j = i; j < 3; j++, entry++)
+            A[i][j] = A[j][i] = area * out[entry];
+}
+
 /* Computes a matrix in axes that are turned by `degrees` from its own: exactly for right
  * angles. */
 static void law_turn(const double matrix[LAW_ENTRIES], double degrees,

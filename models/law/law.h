@@ -92,6 +92,10 @@ static inline void law_stress(const double m[LAW_ENTRIES], const double e[3], do
 /* Returns e.A e / 2. */
 double law_energy(const double matrix[LAW_ENTRIES], const double strain[3]);
 
+/* Computes A = area T^t M T of columns of T that are strains. */
+void law_square(const double matrix[LAW_ENTRIES], double T[3][3], double area,
+                double A[3][3]);
+
 /* Computes T^t M T, where T takes strains in other axes to those that M is for. */
 void law_transform(const double matrix[LAW_ENTRIES], double T[3][3],
                    double out[LAW_ENTRIES]);

@@ -25,12 +25,12 @@
 #include "models/mesh/mesh_flat.h"
 
 struct mesh {
-    int nodes;        /* points, and turns behind them                                   */
-    int vertices;     /* the points among them                                           */
-    int points[2];    /* of a grid: rows of all sheets, points of a row                  */
-    int rows;         /* of one sheet; 0: it is no grid */
-    double cell[2];   /* a_u, a_v                                                [m]     */
-    void *room;       /* memory of the arrays                                    owned   */
+    int nodes;      /* points, and turns behind them                                   */
+    int vertices;   /* the points among them                                           */
+    int points[2];  /* of a grid: rows of all sheets, points of a row; a mesh is one row */
+    int rows;       /* of one sheet; 0: it is no grid */
+    double cell[2]; /* a_u, a_v; of a mesh the mean width of a point, twice     [m]     */
+    void *room;     /* memory of the arrays                                    owned   */
     double (*uvw)[3]; /* [nodes] material parameters, w = 1/2                          */
     double *rest;     /* [nodes][3]                                            [m]     */
     double *area;     /* [nodes] of the sheet that is theirs                   [m^2]   */
@@ -63,6 +63,17 @@ void mesh_clear(struct mesh *mesh);
 /* Tells whether a discretization asks for a grid. */
 bool mesh_is_grid(const struct discretization *d);
 
+/* A triangle in the sheet's plane: its area, and of the sides across from its points the
+ * lengths, directions and outward normals. */
+struct mesh_plane {
+    double area, length[3], along[3][2], out[3][2];
+};
+
+struct mesh_plane mesh_plane_of(const struct mesh *mesh, int triangle);
+
+/* Returns how the hat function of point j rises along the normal out of side i [1/m]. */
+double mesh_plane_rise(const struct mesh_plane *p, int i, int j);
+
 /* Returns the triangle at u, v of a mesh with triangles, and the weights of its points. */
 int mesh_find(const struct mesh *mesh, const double uv[2], double weight[3]);
 
@@ -74,6 +85,11 @@ bool mesh_on_rim(const struct mesh *mesh, int i, int j, int along);
 
 /* Tells whether the net has what can bend: three points in line, or a clamp. */
 bool mesh_bends(const struct mesh *mesh);
+
+/* Adds what nodes at edges have in explicit steps to mass[nodes], for `areal` kg/m^2: that
+ * of Morley's cubic, A h^2 / 30 times it from each triangle beside, h its height over the
+ * edge. */
+void mesh_weigh_edges(const struct mesh *mesh, double areal, double *mass);
 
 /* Marks the clamped points. */
 void mesh_clamp(struct mesh *mesh, const struct scene *scene);

@@ -37,6 +37,29 @@ static void weights(const struct mesh *mesh, int t, const double p[2], double we
     weight[2] = 1 - weight[0] - weight[1];
 }
 
+struct mesh_plane mesh_plane_of(const struct mesh *mesh, int triangle)
+{
+    struct mesh_plane p;
+
+    for (int i = 0; i < 3; i++) {
+        const double *a = at(mesh, triangle, (i + 1) % 3);
+        const double *b = at(mesh, triangle, (i + 2) % 3);
+        const double d[2] = {b[0] - a[0], b[1] - a[1]};
+        p.length[i] = hypot(d[0], d[1]);
+        p.along[i][0] = d[0] / p.length[i], p.along[i][1] = d[1] / p.length[i];
+        p.out[i][0] = p.along[i][1], p.out[i][1] = -p.along[i][0];
+    }
+    p.area = p.length[0] * p.length[1] / 2 *
+             (p.along[0][0] * p.along[1][1] - p.along[0][1] * p.along[1][0]);
+    return p;
+}
+
+double mesh_plane_rise(const struct mesh_plane *p, int i, int j)
+{
+    return -(p->out[i][0] * p->out[j][0] + p->out[i][1] * p->out[j][1]) * p->length[j] /
+           (2 * p->area);
+}
+
 /* --- lists of triangles: around points, and in bins --------------------------------------
  */
 
@@ -164,6 +187,18 @@ static void set_edges(struct mesh *mesh, const struct scene *scene, bool slopes)
     }
 }
 
+void mesh_weigh_edges(const struct mesh *mesh, double areal, double *mass)
+{
+    for (int t = 0; mesh->nodes > mesh->vertices && t < mesh->flat.triangles; t++) {
+        const struct mesh_plane p = mesh_plane_of(mesh, t);
+        for (int i = 0; i < 3; i++) {
+            const double height = 2 * p.area / p.length[i] / mesh->scale;
+            mass[mesh->vertices + mesh->side[t][i]] +=
+                areal * p.area * height * height / 30;
+        }
+    }
+}
+
 static enum status make_flat(struct mesh_flat *flat, const struct scene *scene,
                              const struct discretization *d, struct message *why)
 {
@@ -197,6 +232,9 @@ enum status mesh_make(struct mesh *mesh, const struct scene *scene,
     TRY(mesh_flat_edges(&new.flat, &new.edge, &new.edges, &new.side));
     new.vertices = new.flat.nodes;
     new.nodes = new.vertices + (turns ? new.edges : 0);
+    new.scale = sqrt(scene->length * scene->width / new.vertices);
+    new.points[0] = 1, new.points[1] = new.nodes;
+    new.cell[0] = new.cell[1] = new.scale;
     if (mesh_is_grid(d) && !d->refine) {
         new.rows = new.points[0] = d->points[0], new.points[1] = d->points[1];
         new.cell[0] = scene->length / (d->points[0] - 1);
@@ -206,7 +244,6 @@ enum status mesh_make(struct mesh *mesh, const struct scene *scene,
                  ROOM(new.area, new.nodes), ROOM(new.clamped, new.nodes)));
     set_points(&new, scene);
     mesh_clamp(&new, scene);
-    new.scale = sqrt(scene->length * scene->width / new.vertices);
     set_edges(&new, scene, at_edges == MESH_SLOPES);
     TRY(make_lists(&new, new.size));
     HAND_OVER(mesh, new);

@@ -8,6 +8,20 @@
 #include "models/net/spring_law.h"
 #include "models/room.h"
 
+const char *net_mesh_lacks(const struct scene *scene, const struct discretization *d,
+                           bool springs)
+{
+    return mesh_is_grid(d) ? ""
+           : scene_sheets(scene) > 1 || scene->shape != SCENE_FLAT
+               ? "a mesh: of one flat sheet only"
+           : springs && scene->is_fabric ? "springs of a mesh: of an isotropic sheet only; "
+                                           "with springs along edges in "
+                                           "any direction no rule is known for a fabric's"
+           : d->parameters == PARAMETERS_PAPER
+               ? "parameters=paper: of a grid only, which is what they are printed for"
+               : "";
+}
+
 enum status net_refuse(const struct scene *scene, const struct discretization *d,
                        const struct net_refusal *row, struct message *why)
 {
@@ -15,6 +29,9 @@ enum status net_refuse(const struct scene *scene, const struct discretization *d
 
     TRY(model_refuse_net(scene, d, why));
     TRY(contact_rest_refuse(scene, d, why));
+    if (mesh_is_grid(d) && (d->seed || d->refine))
+        return status_fail(why, STATUS_INPUT, "%s: of a mesh that is no grid",
+                           d->seed ? "seed" : "refine");
     for (; row->sentence; row++)
         if (row->is_asked)
             return status_fail(why, STATUS_UNSUPPORTED, "%s", row->sentence);
@@ -50,6 +67,7 @@ void net_clear(struct net *net)
     mesh_clear(&net->mesh);
     free(net->room);
     free(net->dead);
+    free(net->order);
     memset(net, 0, sizeof *net);
 }
 
@@ -133,6 +151,9 @@ enum status net_march(struct net *net, struct march *m, const struct discretizat
     m->x = net->x;
     m->load = net->load;
     memcpy(m->net, points, sizeof m->net);
+    if (mesh->flat.triangles && mesh_order(mesh, &net->order) != STATUS_OK)
+        return STATUS_MEMORY;
+    m->order = net->order;
     m->surface = surface_of, m->sheet = mesh;
     m->supports = &net->supports;
     m->unknowns = mesh->nodes > mesh->vertices ? "mid-surface points and turns of edges"

@@ -20,6 +20,7 @@ struct net {
     double *mass;  /* [nodes]                                                [kg]     */
     double *drag;  /* [nodes] force against velocity, mass damping in it     [N s/m]  */
     double *load;  /* [nodes][3] gravity, wind and loads                     [N]      */
+    int *order;    /* of a mesh's nodes, for a march's factors, or NULL       owned   */
     double *dead;  /* [nodes][3] of which the scene's loads, or NULL  [N]     owned   */
     double *x, *v; /* [nodes][3] of now                                      [m, m/s] */
     double *shift; /* [held_count] work                                      [m]      */
@@ -32,6 +33,12 @@ struct net_refusal {
     bool is_asked;
     const char *sentence; /* NULL ends a table */
 };
+
+/* Returns what a model whose springs or constraints serve meshes, but no more of them than
+ * that, cannot do on one that is no grid; "": nothing. `springs`: of edges (spring_net.h).
+ */
+const char *net_mesh_lacks(const struct scene *scene, const struct discretization *d,
+                           bool springs);
 
 /* Refuses what model_refuse_net and contact_rest_refuse do, then the first row that is
  * asked: STATUS_UNSUPPORTED with its sentence. */

@@ -44,6 +44,8 @@ static int find(const struct spring_forms *list, const struct spring_form *form)
 {
     int k = list->last[form->kind];
 
+    if (list->apart)
+        return list->forms;
     if (k < list->forms && is_same(&list->form[k], form))
         return k;
     for (k = 0; k < list->forms && !is_same(&list->form[k], form);)
@@ -120,6 +122,32 @@ int spring_forms_most(const struct spring_forms *list, const struct mesh *net)
         most = here > most ? here : most;
     }
     return most;
+}
+
+double spring_forms_energy(const struct spring_forms *list, const double *x, double sum)
+{
+    double value[3];
+
+    for (int k = 0; k < list->count; k++) {
+        spring_form_value(list, k, x, value);
+        sum += spring_form_of(list, k)->stiffness * vector_dot(value, value) / 2;
+    }
+    return sum;
+}
+
+void spring_forms_matrix(const struct spring_forms *list, const struct blocks *graph,
+                         double *plate)
+{
+    for (int k = 0; k < list->count; k++) {
+        const struct spring_form *f = spring_form_of(list, k);
+        const int at = list->place[k].at;
+        for (int n = 0; n < f->count * f->count; n++) {
+            const int p = n / f->count, q = n % f->count;
+            if (f->step[p] <= f->step[q])
+                plate[blocks_find(graph, at + f->step[p], at + f->step[q])] +=
+                    f->stiffness * f->weight[p] * f->weight[q];
+        }
+    }
 }
 
 int spring_form_slot(int *count, int *list, int which)

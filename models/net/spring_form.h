@@ -13,12 +13,12 @@ enum { SPRING_FORM_POINTS = 9 };
 struct spring_form {
     int kind; /* of those in a list, SPRING_FORM_KINDS at most  */
     int count, step[SPRING_FORM_POINTS]; /* to other nodes, in their numbering            */
-    double weight[SPRING_FORM_POINTS]; /* sum to zero       [1], of a curvature [1/m^2]  */
+    double weight[SPRING_FORM_POINTS]; /* of points: sum to 0 [1], of a curvature [1/m^2] */
     double shift[3];                   /* of clamps         [m], of a curvature [1/m]    */
     double stiffness;                  /* > 0, 0: none    [N/m], of a curvature [m^2]    */
 };
 
-enum { SPRING_FORM_KINDS = 5 };
+enum { SPRING_FORM_KINDS = 6 };
 
 /* A node, and which of the forms is taken there. */
 struct spring_place {
@@ -31,7 +31,8 @@ struct spring_forms {
     int *row_at;                /* [rows of points + 1] first place of each   owned      */
     int count, forms, room;
     int last[SPRING_FORM_KINDS]; /* the form of each kind that was added last           */
-    bool full;                   /* memory ran out                                        */
+    bool apart; /* no two places share a form: those added are not looked for           */
+    bool full;  /* memory ran out                                                        */
 };
 
 /* Initialises an empty list with room for `most` places. */
@@ -84,6 +85,13 @@ static inline void spring_form_pull(const struct spring_forms *list, int k, doub
         p[0] += w * a, p[1] += w * b, p[2] += w * c;
     }
 }
+
+/* Returns `sum` and stiffness |value|^2 / 2 of each form on top of it [J]. */
+double spring_forms_energy(const struct spring_forms *list, const double *x, double sum);
+
+/* Adds the forms' second derivatives, times the identity, to plate[pairs]. */
+void spring_forms_matrix(const struct spring_forms *list, const struct blocks *graph,
+                         double *plate);
 
 /* --- making one -------------------------------------------------------------------------
  */

@@ -1,5 +1,6 @@
 #include "models/net/spring_net.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -118,6 +119,96 @@ out:
     return st;
 }
 
+/* --- on a mesh --------------------------------------------------------------------------
+ */
+
+static double beside_triangle(const struct scene *scene)
+{
+    return sqrt(3) / 4 * scene->young * scene->thickness;
+}
+
+static void add_edges(struct spring_net *net, const struct scene *scene)
+{
+    const struct mesh *mesh = net->mesh;
+    double e[3];
+
+    for (const struct mesh_edge *at = mesh->edge; at < mesh->edge + mesh->edges; at++) {
+        const int p = at->node[0], q = at->node[1];
+        vector_between(mesh->rest + 3 * (size_t)p, mesh->rest + 3 * (size_t)q, e);
+        net->springs[net->spring_count++] =
+            (struct spring){.a = p < q ? p : q,
+                            .b = p < q ? q : p,
+                            .stiffness = beside_triangle(scene) * (at->node[3] < 0 ? 1 : 2),
+                            .length = vector_length(e)};
+    }
+}
+
+/* Makes the graph of triangles, and of the slopes at their sides. */
+static enum status make_graph_of_mesh(struct spring_net *net)
+{
+    const struct mesh *mesh = net->mesh;
+    const int most = mesh->nodes > mesh->vertices ? 6 : 3, count = mesh->flat.triangles;
+    int *ien = malloc((size_t)(count * most) * sizeof *ien);
+    enum status st = STATUS_MEMORY;
+
+    for (int n = 0; ien && n < count * most; n++)
+        ien[n] = n % most < 3 ? mesh->flat.triangle[n / most][n % most]
+                              : mesh->vertices + mesh->side[n / most][n % most - 3];
+    if (ien)
+        st = blocks_init(&net->graph, mesh->nodes, count, most, ien);
+    free(ien);
+    return st;
+}
+
+void spring_net_even(const struct mesh *mesh, const struct scene *scene,
+                     double even[LAW_ENTRIES])
+{
+    const double each = beside_triangle(scene) / (mesh->size[0] * mesh->size[1]);
+
+    memset(even, 0, LAW_ENTRIES * sizeof *even);
+    for (int t = 0; t < mesh->flat.triangles; t++) {
+        const struct mesh_plane p = mesh_plane_of(mesh, t);
+        for (int i = 0; i < 3; i++) {
+            const double *d = p.along[i], l = p.length[i];
+            const double row[3] = {d[0] * d[0], d[1] * d[1], d[0] * d[1]};
+            for (int j = 0, entry = 0; j < 3; j++)
+                for (int k = j; k < 3; k++)
+                    even[entry++] += each * l * l * row[j] * row[k];
+        }
+    }
+}
+
+void spring_net_tell_mesh(const struct mesh *mesh, const struct scene *scene,
+                          struct message *line)
+{
+    const struct law law = scene_law(scene);
+    const double *sheet = law.matrix[LAW_MEMBRANE];
+    double even[LAW_ENTRIES];
+
+    spring_net_even(mesh, scene, even);
+    message_add(
+        line,
+        "; springs that stretch evenly have %.2g of the sheet's stiffness against "
+        "tension along u with free sides, %.2g against shear, and %.2g where u and v "
+        "are stretched alike",
+        law_narrow(even) / law_narrow(sheet), even[LAW_33] / sheet[LAW_33],
+        (even[LAW_11] + 2 * even[LAW_12] + even[LAW_22]) /
+            (sheet[LAW_11] + 2 * sheet[LAW_12] + sheet[LAW_22]));
+}
+
+void spring_net_tell(const struct spring_net *net, const struct scene *scene,
+                     struct message *line)
+{
+    const struct mesh *mesh = net->mesh;
+
+    if (mesh->rows) {
+        spring_law_tell(&net->law, mesh->cell, scene, line);
+        return;
+    }
+    status_fail(line, STATUS_OK, "%d points, %d edges", mesh->vertices, mesh->edges);
+    spring_net_tell_mesh(mesh, scene, line);
+}
+
 static void find_pairs(struct spring_net *net)
 {
     const struct blocks *g = &net->graph;
@@ -167,12 +258,14 @@ enum status spring_net_init(struct spring_net *net, const struct scene *scene,
     TRY(room_cut(&new.room, ROOM(new.springs, LINE_COUNT * mesh->nodes),
                  ROOM(new.hinges, LINE_COUNT * mesh->nodes)));
     spring_law_make(scene, parameters, mesh->cell, &new.law);
+    if (!mesh->rows)
+        add_edges(&new, scene);
     TRY(allocate_clamps(&new));
-    for (int a = 0; a < mesh->nodes; a++) {
+    for (int a = 0; mesh->rows && a < mesh->nodes; a++) {
         add_springs(&new, a / m, a % m);
         add_hinges(&new, a / m, a % m);
     }
-    TRY(make_graph(&new, whole));
+    TRY(mesh->rows ? make_graph(&new, whole) : make_graph_of_mesh(&new));
     find_pairs(&new);
     HAND_OVER(net, new);
 out:

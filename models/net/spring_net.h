@@ -7,10 +7,15 @@
  * the rest position of the neighbour mirrored at the node, of twice the strength, because
  * they stand for half the length. Nets without hinges (`paper`) turn freely about what is
  * held, and so does a support that takes the mid-surface alone.
+ *
+ * On a mesh that is no grid springs are its edges, and have sqrt(3)/4 E h beside each
+ * triangle (Lloyd, Szekely and Harders 2007: exact for equilateral triangles and nu = 1/3);
+ * there are no hinges: it bends by the forms of spring_plate.h.
  */
 #ifndef SPRING_NET_H
 #define SPRING_NET_H
 
+#include "models/law/law.h"
 #include "models/linalg/blocks.h"
 #include "models/mesh/mesh.h"
 #include "models/net/spring_law.h"
@@ -52,6 +57,17 @@ enum status spring_net_init(struct spring_net *net, const struct scene *scene,
                             const struct mesh *mesh, enum parameters parameters,
                             bool whole);
 void spring_net_clear(struct spring_net *net);
+
+/* Computes the matrix (law.h) that springs on a mesh have where strains are even [N/m]. */
+void spring_net_even(const struct mesh *mesh, const struct scene *scene,
+                     double even[LAW_ENTRIES]);
+
+/* Adds for users what the springs have of the sheet's stiffness: those of any net, or, with
+ * "; " before it, those of a mesh that is no grid. */
+void spring_net_tell(const struct spring_net *net, const struct scene *scene,
+                     struct message *line);
+void spring_net_tell_mesh(const struct mesh *mesh, const struct scene *scene,
+                          struct message *line);
 
 /* Returns the elastic energy of the springs, without hinges and clamps [J]. */
 double spring_net_energy(const struct spring_net *net, const double *x);

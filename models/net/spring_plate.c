@@ -116,6 +116,51 @@ static void use_sheet(struct plate *p, const struct scene *scene, int sheet)
     }
 }
 
+/* --- triangles --------------------------------------------------------------------------
+ */
+
+void spring_plate_triangle(const struct mesh_plane *p, const double B[LAW_ENTRIES],
+                           double bend[3][3], double Q[3][3])
+{
+    for (int i = 0; i < 3; i++) {
+        const double *n = p->out[i], s = p->length[i] / p->area;
+        bend[0][i] = s * n[0] * n[0], bend[1][i] = s * n[1] * n[1];
+        bend[2][i] = s * 2 * n[0] * n[1];
+    }
+    law_square(B, bend, p->area, Q);
+}
+
+/* Adds a triangle's energy as three squares, of Q = L D L^t, that have lengths. */
+static void add_triangle(const struct mesh *mesh, int t, const double B[LAW_ENTRIES],
+                         struct spring_forms *forms)
+{
+    const struct mesh_plane p = mesh_plane_of(mesh, t);
+    const int *v = mesh->flat.triangle[t];
+    double bend[3][3], Q[3][3];
+
+    if (mesh->clamped[v[0]] && mesh->clamped[v[1]] && mesh->clamped[v[2]])
+        return;
+    spring_plate_triangle(&p, B, bend, Q);
+    for (int k = 0; k < 3; k++) {
+        struct spring_form form = {.kind = SPRING_PLATE_SLOPE,
+                                   .count = 6,
+                                   .step = {0, v[1] - v[0], v[2] - v[0]},
+                                   .stiffness = Q[k][k] / (mesh->scale * mesh->scale)};
+        for (int i = 0; i < 3; i++) {
+            const int side = mesh->side[t][i];
+            const double part = i < k ? 0 : Q[i][k] / Q[k][k];
+            form.step[3 + i] = mesh->vertices + side - v[0];
+            form.weight[3 + i] = mesh->edge[side].triangle[0] == t ? part : -part;
+            for (int j = 0; j < 3; j++)
+                form.weight[j] -= part * mesh->scale * mesh_plane_rise(&p, i, j);
+        }
+        spring_forms_add(forms, v[0], &form);
+        for (int i = k + 1; i < 3; i++)
+            for (int j = k + 1; j < 3; j++)
+                Q[i][j] -= Q[i][k] * Q[k][j] / Q[k][k];
+    }
+}
+
 enum status spring_plate_make(const struct scene *scene, const struct mesh *net,
                               enum parameters parameters, struct spring_forms *forms)
 {
@@ -125,7 +170,12 @@ enum status spring_plate_make(const struct scene *scene, const struct mesh *net,
 
     if (spring_forms_init(forms, FORMS * (size_t)net->nodes) != STATUS_OK)
         return STATUS_MEMORY;
-    for (int a = 0; bends && a < net->nodes; a++) {
+    forms->apart = net->nodes > net->vertices;
+    for (int t = 0; bends && forms->apart && t < net->flat.triangles; t++) {
+        const struct law law = scene_law(scene);
+        add_triangle(net, t, law.matrix[LAW_BENDING], forms);
+    }
+    for (int a = 0; bends && each && !forms->apart && a < net->nodes; a++) {
         if (a % each == 0)
             use_sheet(&p, scene, a / each);
         int i = a / net->points[1], j = a % net->points[1];

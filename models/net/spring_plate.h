@@ -17,6 +17,12 @@
  *
  * Softening adds to it: spring_form.h.
  *
+ * On a mesh that is no grid, Morley's triangle (1968) for each component of the places: an
+ * edge has the sheet's slope across it (mesh.h), and al is that less the triangle's own,
+ * outward. The curvature of a triangle, sum over its sides of (l / A) al n n^t, n their
+ * normals in the plane, is constant, and the energy is that of any bending matrix. Slopes
+ * at clamped edges are held.
+ *
  * Clamps: at a held column that cannot turn, the curvature of the cubic that leaves the
  * point x0 along e with the free neighbours x1, x2 on it,
  *     kappa a^2 = 4 (x1 - x0 - a e) - (x2 - x0 - 2 a e) / 2,
@@ -33,6 +39,7 @@
 #define SPRING_PLATE_H
 
 #include "models/discretization.h"
+#include "models/law/law.h"
 #include "models/net/spring_form.h"
 
 enum spring_plate_kind {
@@ -40,13 +47,19 @@ enum spring_plate_kind {
     SPRING_PLATE_V,     /* x_vv a_v^2                                                   */
     SPRING_PLATE_TWIST, /* x_uv a_u a_v: points (i,j), (i,j+1), (i+1,j), (i+1,j+1)      */
     SPRING_PLATE_MEAN,  /* (x_uu + s x_vv) a_u a_v: at, before and after along u, v     */
-    SPRING_PLATE_CLAMP  /* kappa a^2: the held point, its neighbour, the next           */
+    SPRING_PLATE_CLAMP, /* kappa a^2: the held point, its neighbour, the next           */
+    SPRING_PLATE_SLOPE  /* of leans of a triangle over its sides                        */
 };
 
 /* Makes all forms of a net, of the energy stiffness |value|^2 / 2; none of the paper's.
  * Owned by the caller. */
 enum status spring_plate_make(const struct scene *scene, const struct mesh *net,
                               enum parameters parameters, struct spring_forms *forms);
+
+/* Computes of a triangle that leans by al over its sides, outward: the curvature bend al
+ * (as law.h has strains), and Q, of the energy al Q al / 2 for the bending matrix B. */
+void spring_plate_triangle(const struct mesh_plane *p, const double B[LAW_ENTRIES],
+                           double bend[3][3], double Q[3][3]);
 
 /* Computes the weights of SPRING_PLATE_MEAN: of neighbours along u and along v. */
 void spring_plate_mean(const struct scene *scene, const double cell[2], double weight[2]);

@@ -21,19 +21,25 @@ struct strand {
 static enum status make_body(struct strand *s, const struct strand_plan *plan)
 {
     enum status st = STATUS_MEMORY;
-    struct tri_net net = {.points = {.nodes = plan->points, .spring_count = plan->springs}};
-    const struct tri_body law = {.net = &net};
+    const struct mesh mesh = {.nodes = plan->points, .vertices = plan->points};
+    const struct spring_forms forms = {0};
+    const double none[LAW_ENTRIES] = {0};
+    struct spring_net net = {.spring_count = plan->springs};
+    struct blocks graph = {0};
 
-    net.points.springs = calloc((size_t)plan->springs, sizeof *net.points.springs);
-    net.graph.start = calloc((size_t)plan->points + 1, sizeof *net.graph.start);
-    if (!net.points.springs || !net.graph.start)
+    net.springs = calloc((size_t)plan->springs, sizeof *net.springs);
+    graph.start = calloc((size_t)plan->points + 1, sizeof *graph.start);
+    if (!net.springs || !graph.start)
         goto out;
     for (int k = 0; k < plan->springs; k++)
-        net.points.springs[k] = (struct spring){.a = plan->ends[k][0],
-                                                .b = plan->ends[k][1],
-                                                .stiffness = plan->stiffness[k],
-                                                .length = plan->length[k]};
-    TRY(vb_body_init(&s->body, &net, &law, true));
+        net.springs[k] = (struct spring){.a = plan->ends[k][0],
+                                         .b = plan->ends[k][1],
+                                         .stiffness = plan->stiffness[k],
+                                         .length = plan->length[k]};
+    TRY(vb_body_init(
+        &s->body,
+        &(struct vb_parts){
+            .mesh = &mesh, .D = none, .forms = &forms, .graph = &graph, .springs = &net}));
     s->body.colours = plan->in_sequence ? plan->points : s->body.colours;
     for (int a = 0; plan->in_sequence && a <= plan->points; a++) {
         s->body.colours_from[a] = a;
@@ -41,8 +47,8 @@ static enum status make_body(struct strand *s, const struct strand_plan *plan)
             s->body.order[a] = a;
     }
 out:
-    free(net.points.springs);
-    free(net.graph.start);
+    free(net.springs);
+    free(graph.start);
     return st;
 }
 

@@ -23,6 +23,7 @@ enum { FRAMES = 12, EXTRA = 4 };
     "supports=[{at: {u: 0}, fix: xyz, turn: {axis: [0, 1, 0], about: [0, 0, 0], angles: "  \
     "[[-1, -900], [1, 900]]}}]",                                                           \
         "motion={spin: [0, 15.707963267948966, 0]}"
+#define MESH        "discretization.mesh=irregular"
 #define MEMBRANE(m) "discretization.membrane=" #m
 /* clang-format off */
 static const struct row {
@@ -65,6 +66,13 @@ static const struct row {
     {"position_based_pbd", NET, 20, 0, true, {ONCE, "discretization.iterations=1"}},
     {"position_based_pbd", NET, 20, 0, true, {ONCE, "discretization.iterations=8"}},
     {"vbd", NET, 40, 1, false, {ONCE, "discretization.iterations=300"}},
+    {"mass_spring_momentum", NET, 40, 2, false, {MESH}},
+    {"mass_spring", NET, 40, 1, true, {MESH, "discretization.tolerance=1e-9"}},
+    {"mass_spring_leapfrog", NET, 40, 2, false, {MESH}}, /* slopes have a mass */
+    {"mass_spring_explicit", NET, 40, 2, true, {MESH}},
+    {"position_based", NET, 40, 1, true, {MESH, ONCE}},
+    {"position_based_single", NET, 40, 0, true, {MESH, ONCE}},
+    {"vbd", NET, 40, 1, false, {MESH, ONCE, "discretization.iterations=300"}},
     {"projective_dynamics", NET, 40, 1, false, {TO_THE_END}},
     {"projective_dynamics", NET, 40, 2, false, {TO_THE_END, "discretization.integrator=bdf2"}},
 };

@@ -15,6 +15,8 @@
  */
 static const double CREST = 0.9066, FLATTENED = 0.1;
 
+#define SMALL "discretization.points=[12,7];time.end=0.02"
+
 static const struct row {
     const char *scene, *contestant, *settings;
     bool whole; /* to the scene's end */
@@ -22,15 +24,18 @@ static const struct row {
     {"fold", "shell", "discretization.points=[12,5];time.end=0.02", false},
     {"fold", "iga_selective_3", "discretization.points=[12,5,2];time.end=0.02", false},
     {"fold", "hex_incompatible", "discretization.points=[12,5,2];time.end=0.02", false},
-    {"fold", "triangles", "discretization.points=[12,7];time.end=0.02", false},
-    {"fold", "mass_spring", "discretization.points=[12,7];time.end=0.02", false},
+    {"fold", "triangles", SMALL, false},
+    {"fold", "mass_spring", SMALL, false},
     {"fold", "mass_spring", "discretization.points=[10,10];time.end=0.7", false},
-    {"fold", "position_based", "discretization.points=[12,7];time.end=0.02", false},
-    {"fold", "vbd", "discretization.points=[12,7];time.end=0.02", false},
+    {"fold", "position_based", SMALL, false},
+    {"fold", "vbd", SMALL, false},
     {"fold", "triangles",
      "discretization.points=[31,16];discretization.mesh=irregular;discretization.bending="
      "hinge",
      true},
+    {"fold", "mass_spring", SMALL ";discretization.mesh=irregular", false},
+    {"fold", "position_based", SMALL ";discretization.mesh=irregular", false},
+    {"fold", "vbd", SMALL ";discretization.mesh=irregular", false},
     {"fold", "triangles_explicit", "discretization.points=[31,16]", true},
     {"twist", "shell", "discretization.points=[12,4];time.end=0.05", false},
     {"twist", "iga_selective_3", "discretization.points=[12,4,2];time.end=0.05", false},
@@ -41,11 +46,10 @@ static const struct row {
     {"wipe", "shell", "discretization.points=[12,5];time.end=0.02", false},
     {"wipe", "iga_selective_3", "discretization.points=[12,5,2];time.end=0.02", false},
     {"wipe", "hex_incompatible", "discretization.points=[12,5,2];time.end=0.02", false},
-    {"wipe", "triangles", "discretization.points=[12,7];time.end=0.02", false},
-    {"wipe", "mass_spring", "discretization.points=[12,7];time.end=0.02", false},
-    {"wipe", "position_based", "discretization.points=[12,7];time.end=0.02", false},
-    {"wipe", "projective_dynamics",
-     "discretization.points=[12,7];time.end=0.02;contact={self: false}", false},
+    {"wipe", "triangles", SMALL, false},
+    {"wipe", "mass_spring", SMALL, false},
+    {"wipe", "position_based", SMALL, false},
+    {"wipe", "projective_dynamics", SMALL ";contact={self: false}", false},
 };
 
 /* Checks the fold at its end: the crest, and that its held edge lies on the other layer. */

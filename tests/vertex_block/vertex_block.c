@@ -33,6 +33,7 @@ static void test_fixed_point(void)
     static const struct {
         const char *other, *settings[2]; /* of sweeps; of both                          */
         double tolerance;
+        const char *mesh; /* of both */
     } rows[] = {
         {"triangles",
          {"discretization.chebyshev=0", "discretization.bending=quadratic"},
@@ -43,15 +44,24 @@ static void test_fixed_point(void)
         {"triangles",
          {"discretization.chebyshev=0", "discretization.bending=hinge"},
          TOL_SAME},
+        {"triangles",
+         {"discretization.chebyshev=0", "discretization.bending=quadratic"},
+         TOL_SAME,
+         "discretization.mesh=irregular"},
+        {"mass_spring",
+         {"discretization.elements=springs", "discretization.substeps=2"},
+         TOL_SAME,
+         "discretization.mesh=irregular"},
         {"mass_spring", {"discretization.elements=springs", NULL}, TOL_STRUTS},
     };
 
     for (size_t n = 0; n < sizeof rows / sizeof *rows; n++) {
         const char *const *set = rows[n].settings;
-        sample_after("vbd", OPENED_LIST(NET, FAR, LONG, set[0], set[1]), field[0]);
+        sample_after("vbd", OPENED_LIST(NET, FAR, LONG, set[0], set[1], rows[n].mesh),
+                     field[0]);
         sample_after(rows[n].other,
                      OPENED_LIST(NET, FAR, "discretization.integrator=implicit",
-                                 "discretization.substeps=2", set[1]),
+                                 "discretization.substeps=2", set[1], rows[n].mesh),
                      field[1]);
         const double apart = opened_apart(field[0], field[1]);
         if (!CHECK(apart < rows[n].tolerance))

@@ -15,24 +15,28 @@ enum { NODES = 9, ACROSS = 3, TURNS = 6 };
  * neighbours, too, at most. */
 enum { FAR = NODES + 3 * 4 };
 
+/* What is read in each step comes first. */
+/* What steps with slopes read comes first. */
 struct tri_shell_triangle {
     int node[NODES];
-    double P[3][3], Q[3][3];  /*                                          [J], [N m]    */
-    double square[3];         /* of edges at rest                         [m^2]         */
-    int angle[3];             /* -1: none                                               */
-    double share[3], turn[3]; /* al = share theta + turn phi                           */
-    int arc[3];               /* of edges                                              */
+    double square[3], over[3]; /* of edges at rest, and 1 over it     [m^2], [1/m^2]    */
+    double P[3][3], Q[3][3];   /*                                           [J], [N m]    */
+    double turn[3];            /* al = share theta + turn phi                             */
+    double rise[3][3]; /* with slopes, of point j's hat along the normal out of i [1/m] */
+    double share[3];
+    int angle[3];   /* -1: none                                                         */
+    int arc[3];     /* of edges                                                         */
     double part[3]; /* its share of the arc: 1/2 beside another triangle                */
     double T[3]
             [3]; /* curvatures along edges by leans, times its share of the arc's [1/m] */
-    long pair[NODES][NODES]; /* of nodes a <= b; -1: none, or a > b                    */
+    long (*pair)[NODES]; /* [NODES] of nodes a <= b; -1: none, or a > b                */
 };
 
 struct tri_shell_angle {
     int node[4];     /* tri_hinge.h; node[3] -1: a clamp's                             */
     double ghost[3]; /* a clamp's: from node[0] to a point in the direction that is kept */
     double k;        /* of a hinge                                              [N m]  */
-    long pair[4][4];
+    long (*pair)[4]; /* [4]                                                       */
 };
 
 /* --- what is built -----------------------------------------------------------------------
@@ -68,6 +72,7 @@ static void set_triangle(struct tri_shell_triangle *t, const struct mesh_plane *
     for (int i = 0; i < 3; i++) {
         row_along(p->along[i], along[i]);
         t->square[i] = p->length[i] * p->length[i];
+        t->over[i] = 1 / t->square[i];
     }
     invert((const double(*)[3])along, strain);
     law_square(law->matrix[LAW_MEMBRANE], strain, p->area, t->P);
@@ -75,6 +80,8 @@ static void set_triangle(struct tri_shell_triangle *t, const struct mesh_plane *
         t->P[n / 3][n % 3] =
             n % 4 ? 0 : sqrt(3) / 4 * law->young * law->thickness * t->square[n / 3];
     spring_plate_triangle(p, law->matrix[LAW_BENDING], bend, t->Q);
+    for (int n = 0; n < 9; n++)
+        t->rise[n / 3][n % 3] = t->turn[n / 3] == 0 ? 0 : mesh_plane_rise(p, n / 3, n % 3);
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             t->T[i][j] = t->part[i] * (along[i][0] * bend[0][j] + along[i][1] * bend[1][j] +
@@ -226,15 +233,18 @@ static void find_pairs(struct tri_shell *s)
 {
     for (int t = 0; t < s->mesh->flat.triangles; t++) {
         struct tri_shell_triangle *own = &s->triangle[t];
+        own->pair = s->pairs + NODES * t;
         for (int p = 0; p < NODES; p++)
             for (int q = 0; q < NODES; q++)
                 own->pair[p][q] = pair_of(&s->graph, own->node[p], own->node[q]);
     }
-    for (int n = 0; n < s->angles; n++)
+    for (int n = 0; n < s->angles; n++) {
+        s->angle[n].pair = s->angle_pairs + 4 * n;
         for (int p = 0; p < 4; p++)
             for (int q = 0; q < 4; q++)
                 s->angle[n].pair[p][q] =
                     pair_of(&s->graph, s->angle[n].node[p], s->angle[n].node[q]);
+    }
 }
 
 /* --- strains, forces and tangents --------------------------------------------------------
@@ -312,6 +322,39 @@ static void find_bows(const struct tri_shell *s, const double *theta)
     }
 }
 
+/* Computes what a triangle leans by with slopes, al[3 sides][3 components]. */
+static void find_leans(const struct tri_shell_triangle *t, const double *x, double *al)
+{
+    const double *p = x + 3 * (size_t)t->node[0], *q = x + 3 * (size_t)t->node[1],
+                 *r = x + 3 * (size_t)t->node[2];
+
+    for (int i = 0; i < 3; i++, al += 3) {
+        const double *slope = x + 3 * (size_t)(t->turn[i] == 0 ? 0 : t->node[TURNS + i]);
+        for (int c = 0; c < 3; c++)
+            al[c] = t->turn[i] * slope[c] - t->rise[i][0] * p[c] - t->rise[i][1] * q[c] -
+                    t->rise[i][2] * r[c];
+    }
+}
+
+/* Adds their forces. */
+static void lean_force(const struct tri_shell_triangle *t, const double *al, double *force)
+{
+    double q[3][3], sum[3][3] = {{0}};
+
+    for (int i = 0; i < 3; i++)
+        for (int c = 0; c < 3; c++) {
+            q[i][c] = t->Q[i][0] * al[c] + t->Q[i][1] * al[3 + c] + t->Q[i][2] * al[6 + c];
+            for (int j = 0; j < 3; j++)
+                sum[j][c] += t->rise[i][j] * q[i][c];
+        }
+    for (int n = 0; n < 9; n++) {
+        if (t->turn[n / 3] != 0)
+            force[3 * (size_t)t->node[TURNS + n / 3] + n % 3] +=
+                t->turn[n / 3] * q[n / 3][n % 3];
+        force[3 * (size_t)t->node[n / 3] + n % 3] -= sum[n / 3][n % 3];
+    }
+}
+
 static double *strain_of(const void *self, int thread, int element, const double *x,
                          const struct large_foresight *foresight)
 {
@@ -333,10 +376,10 @@ static double *strain_of(const void *self, int thread, int element, const double
             double more = edge_of(t, i, x, e) - t->square[i];
             if (change) /* what was foreseen: spring_strips.c */
                 more -= edge_of(t, i, change, e);
-            *next++ = more / (2 * t->square[i]) + bow * bow * t->square[i] / 24;
+            *next++ = more * t->over[i] / 2 + bow * bow * t->square[i] / 24;
         }
-    for (int k = 0; k < s->forms.count; k++)
-        spring_form_value(&s->forms, k, x, next + 3 * k);
+    for (int t = 0; s->bending == BENDING_QUADRATIC && t < mesh->flat.triangles; t++)
+        find_leans(&s->triangle[t], x, next + 9 * (size_t)t);
     return s->strain;
 }
 
@@ -404,7 +447,7 @@ static void fold_gradient(const struct tri_shell_angle *a, double g[12])
 static void pulls_of(const struct tri_shell_triangle *t, const double *e, double pull[3])
 {
     for (int i = 0; i < 3; i++)
-        pull[i] = along(t->P[i], e) / t->square[i];
+        pull[i] = along(t->P[i], e) * t->over[i];
 }
 
 static void add_force(const void *self, int thread, int element, double *force)
@@ -425,8 +468,8 @@ static void add_force(const void *self, int thread, int element, double *force)
             }
         }
     }
-    for (int k = 0; k < s->forms.count; k++, e += 3)
-        spring_form_pull(&s->forms, k, spring_form_of(&s->forms, k)->stiffness, e, force);
+    for (int t = 0; s->bending == BENDING_QUADRATIC && t < s->mesh->flat.triangles; t++)
+        lean_force(&s->triangle[t], e + 9 * (size_t)t, force);
     find_moments(s, force);
     for (int n = 0; n < s->angles; n++) {
         const struct tri_shell_angle *a = &s->angle[n];
@@ -631,8 +674,10 @@ double tri_shell_energy(const struct tri_shell *s, const double *x)
         for (int i = 0; s->bending == BENDING_MIDEDGE && i < 3; i++)
             sum += al[i] * along(own->Q[i], al) / 2;
     }
-    for (int k = 0; e && k < s->forms.count; k++, e += 3)
-        sum += spring_form_of(&s->forms, k)->stiffness * vector_dot(e, e) / 2;
+    for (int t = 0; e && s->bending == BENDING_QUADRATIC && t < s->mesh->flat.triangles;
+         t++, e += 9)
+        for (int n = 0; n < 27; n++)
+            sum += e[n % 9] * s->triangle[t].Q[n % 9 / 3][n / 9] * e[n / 9 * 3 + n % 3] / 2;
     for (int n = 0; e && s->bending == BENDING_HINGE && n < s->angles; n++)
         sum += s->angle[n].k * angles_of(s)[n] * angles_of(s)[n] / 2;
     return e ? sum : NAN;
@@ -669,11 +714,12 @@ enum status tri_shell_init(struct tri_shell *s, const struct scene *scene,
 
     *s = (struct tri_shell){
         .mesh = mesh, .bending = bending, .arc = arc, .arcs = mesh->edges};
-    TRY(room_cut(
-        &s->room, ROOM(s->triangle, triangles), ROOM(s->angle, most), ROOM(s->x[0], nodes),
-        ROOM(s->x[1], nodes), ROOM(s->strain, 4 * most + turns), ROOM(s->moment, most),
-        ROOM(s->gradient, most), ROOM(s->bow, arc ? 2 * most : 0),
-        ROOM(s->pull, arc ? 2 * most : 0), ROOM(s->angle_now, arc ? most + turns : 0)));
+    TRY(room_cut(&s->room, ROOM(s->triangle, triangles), ROOM(s->pairs, NODES * triangles),
+                 ROOM(s->angle, most), ROOM(s->angle_pairs, 4 * most), ROOM(s->x[0], nodes),
+                 ROOM(s->x[1], nodes), ROOM(s->strain, 4 * most + turns),
+                 ROOM(s->moment, most), ROOM(s->gradient, most),
+                 ROOM(s->bow, arc ? 2 * most : 0), ROOM(s->pull, arc ? 2 * most : 0),
+                 ROOM(s->angle_now, arc ? most + turns : 0)));
     TRY(set_sides(s));
     for (int t = 0; t < triangles; t++) {
         const struct mesh_plane p = mesh_plane_of(mesh, t);
@@ -690,21 +736,21 @@ enum status tri_shell_init(struct tri_shell *s, const struct scene *scene,
             TRY(STATUS_MEMORY);
         spring_forms_matrix(&s->forms, &s->graph, s->plate);
     }
-    s->body = (struct large_body){.self = s,
-                                  .nodes = mesh->nodes,
-                                  .slabs = 1,
-                                  .threads = 1,
-                                  .slab = whole,
-                                  .pairs = s->graph.start[mesh->nodes],
-                                  .strains = most + (bending == BENDING_QUADRATIC
-                                                         ? 3 * (size_t)s->forms.count
-                                                         : (size_t)s->angles + turns),
-                                  .lagged = most,
-                                  .strain = strain_of,
-                                  .geometry = set_geometry,
-                                  .energy = energy_of,
-                                  .force = add_force,
-                                  .tangent = add_tangent};
+    s->body = (struct large_body){
+        .self = s,
+        .nodes = mesh->nodes,
+        .slabs = 1,
+        .threads = 1,
+        .slab = whole,
+        .pairs = s->graph.start[mesh->nodes],
+        .strains =
+            most + (bending == BENDING_QUADRATIC ? 3 * most : (size_t)s->angles + turns),
+        .lagged = most,
+        .strain = strain_of,
+        .geometry = set_geometry,
+        .energy = energy_of,
+        .force = add_force,
+        .tangent = add_tangent};
 out:
     if (st != STATUS_OK)
         tri_shell_clear(s);

@@ -49,6 +49,7 @@ struct tri_shell {
     struct tri_shell_triangle *triangle; /* [triangles]                                */
     struct tri_shell_angle *angle;
     int angles;
+    long (*pairs)[9], (*angle_pairs)[4]; /* of all triangles and angles                 */
     struct spring_forms forms; /* of bending=quadratic                         owned   */
     double *plate;             /* [pairs] their second derivatives; or NULL    owned   */
     bool arc;

@@ -143,14 +143,14 @@ static void add_triangle(const struct mesh *mesh, int t, const double B[LAW_ENTR
     spring_plate_triangle(&p, B, bend, Q);
     for (int k = 0; k < 3; k++) {
         struct spring_form form = {.kind = SPRING_PLATE_SLOPE,
-                                   .count = 6,
+                                   .count = 3,
                                    .step = {0, v[1] - v[0], v[2] - v[0]},
                                    .stiffness = Q[k][k] / (mesh->scale * mesh->scale)};
-        for (int i = 0; i < 3; i++) {
+        for (int i = k; i < 3; i++) {
             const int side = mesh->side[t][i];
-            const double part = i < k ? 0 : Q[i][k] / Q[k][k];
-            form.step[3 + i] = mesh->vertices + side - v[0];
-            form.weight[3 + i] = mesh->edge[side].triangle[0] == t ? part : -part;
+            const double part = Q[i][k] / Q[k][k];
+            form.step[form.count] = mesh->vertices + side - v[0];
+            form.weight[form.count++] = mesh->edge[side].triangle[0] == t ? part : -part;
             for (int j = 0; j < 3; j++)
                 form.weight[j] -= part * mesh->scale * mesh_plane_rise(&p, i, j);
         }

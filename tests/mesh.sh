@@ -56,6 +56,9 @@ sed '20s/.*/v one two/' good.obj >bad.obj
 says 'bad.obj:20: a vertex needs three numbers' mesh=bad.obj
 sed '$d' good.obj >hole.obj
 says 'inside the sheet' mesh=hole.obj
+printf 'v %s 0\n' '0 0' '1 0' '1 1' '1 0' >twice.obj
+echo 'f 1 2 3 4' >>twice.obj
+says 'twice.obj:5: two triangles lie on the same side' mesh=twice.obj
 says 'none.obj' mesh=none.obj
 says 'refine: of a mesh that is no grid' refine=1
 says 'arc=on: with bending=midedge only' mesh=irregular arc=on

@@ -125,6 +125,27 @@ struct verify_field {
 #define VERIFY_LOCKED "iga_nonlinear_3,iga_selective,hex_nonlinear"
 #define VERIFY_TWINS  "mass_spring_momentum"
 
+/* Subjects with one turn at the middle of each edge, on a grid, one cut by one diagonal,
+ * and irregular meshes, of which --quick has the first; the arguments are tolerance, reason
+ * and nets of all. */
+#define VERIFY_MESH(name, left_out, which, draw, ...)                                      \
+    {                                                                                      \
+        "triangles", __VA_ARGS__, .more = "mid-edge, " name, .dear = left_out,             \
+                                  .settings = {                                            \
+                                      "discretization.bending=midedge",                    \
+                                      "discretization.mesh=" which,                        \
+                                      draw                                                 \
+                                  }                                                        \
+    }
+#define VERIFY_MESHES(...)                                                                 \
+    VERIFY_MESH("grid", true, "grid", NULL, __VA_ARGS__),                                  \
+        VERIFY_MESH("one diagonal", true, "diagonal", NULL, __VA_ARGS__),                  \
+        VERIFY_MESH("irregular", false, "irregular", NULL, __VA_ARGS__),                   \
+        VERIFY_MESH("irregular 2", true, "irregular", "discretization.seed=2",             \
+                    __VA_ARGS__),                                                          \
+        VERIFY_MESH("irregular 3", true, "irregular", "discretization.seed=3",             \
+                    __VA_ARGS__)
+
 /* Fields of projective dynamics, whose own iterations end before a stiff sheet is
  * stretched.
  */

@@ -7,9 +7,9 @@
 #include "models/reader/obj_file.h"
 #include "models/reader/yaml_tree.h"
 
-/* The shares of length and width by which numbers of a file may be off, and of the
- * rectangle that a triangle must have. */
-static const double NEAR = 1e-5, LEAST = 1e-12;
+/* The share of length and width by which numbers of a file may be off; a triangle is as
+ * high as that share of its longest side, or its shape is not known. */
+static const double NEAR = 1e-5;
 
 struct reading {
     struct yaml_tree line; /* to blame                                                 */
@@ -67,22 +67,31 @@ static enum status add_corner(struct reading *r, struct mesh_flat *flat, int *no
     return STATUS_OK;
 }
 
+/* Returns how far c lies to the left of the way from a to b, times its length. */
+static double left(const double a[2], const double b[2], const double c[2])
+{
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
 static enum status add_triangle(struct reading *r, struct mesh_flat *flat, int *node,
                                 const struct obj_file_corner corner[3], struct message *why)
 {
-    const double least = LEAST * r->scene->length * r->scene->width;
+    double longest = 0;
     int *v = flat->triangle[flat->triangles++];
     enum status st;
 
     for (int c = 0; c < 3; c++)
         TRY(add_corner(r, flat, node, corner + c, &v[c], why));
     const double(*at)[2] = (const double(*)[2])flat->at;
-    const double area = (at[v[1]][0] - at[v[0]][0]) * (at[v[2]][1] - at[v[0]][1]) -
-                        (at[v[1]][1] - at[v[0]][1]) * (at[v[2]][0] - at[v[0]][0]);
-    if (!(fabs(area) / 2 > least))
-        return yaml_tree_refuse(&r->line, why,
-                                "a triangle without area; one that its `vt` (or x, y) span "
-                                "would be right");
+    const double area = left(at[v[0]], at[v[1]], at[v[2]]);
+    for (int c = 0; c < 3; c++)
+        longest = fmax(longest, hypot(at[v[c]][0] - at[v[(c + 1) % 3]][0],
+                                      at[v[c]][1] - at[v[(c + 1) % 3]][1]));
+    if (!(fabs(area) > NEAR * longest * longest))
+        return yaml_tree_refuse(
+            &r->line, why,
+            "a triangle without area, or 100,000 times as long as wide; "
+            "one that its `vt` (or x, y) span would be right");
     if (area < 0) {
         const int keep = v[1];
         v[1] = v[2], v[2] = keep;
@@ -119,18 +128,24 @@ static enum status check(struct reading *r, const struct mesh_flat *flat,
     }
     for (int e = 0; st == STATUS_OK && e < count; e++) {
         const double *a = flat->at[edge[e].node[0]], *b = flat->at[edge[e].node[1]];
-        if (edge[e].node[3] >= 0 || on_rim(flat, r->scene, &edge[e]))
+        const bool inner = edge[e].node[3] >= 0;
+        if (inner ? left(a, b, flat->at[edge[e].node[3]]) < 0
+                  : on_rim(flat, r->scene, &edge[e]))
             continue;
-        r->line.line = corner[3 * edge[e].triangle[0]].line;
-        st = yaml_tree_refuse(&r->line, why,
-                              "the triangles end at %g, %g m, inside the sheet; triangles "
-                              "that cover the whole rectangle would be right",
-                              (a[0] + b[0]) / 2, (a[1] + b[1]) / 2);
+        r->line.line = corner[3 * edge[e].triangle[inner]].line;
+        st = inner ? yaml_tree_refuse(&r->line, why,
+                                      "two triangles lie on the same side of the edge they "
+                                      "share at %g, %g m; one on each would be right",
+                                      (a[0] + b[0]) / 2, (a[1] + b[1]) / 2)
+                   : yaml_tree_refuse(
+                         &r->line, why,
+                         "the triangles end at %g, %g m, inside the sheet; triangles "
+                         "that cover the whole rectangle would be right",
+                         (a[0] + b[0]) / 2, (a[1] + b[1]) / 2);
     }
     for (int t = 0; t < flat->triangles; t++) {
         const int *v = flat->triangle[t];
-        const double *a = flat->at[v[0]], *b = flat->at[v[1]], *c = flat->at[v[2]];
-        area += ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
+        area += left(flat->at[v[0]], flat->at[v[1]], flat->at[v[2]]) / 2;
     }
     const double whole = r->scene->length * r->scene->width;
     r->line.line = -1;

@@ -24,6 +24,7 @@ static const struct verify_subject entries[] = {
     {"hex_incompatible", ASKED, {32, 64}, {8, 16}},
     {"shell_3,shell_selective_3", 0.01, "a third of what is asked", {9, 15}, {6, 10}},
     {"triangles", ASKED, {20, 40}, {6, 11}},
+    VERIFY_MESHES(ASKED, {20, 40}, {6, 11}),
     {"mass_spring,position_based,projective_dynamics", 0, NULL, {10, 20}, {6, 11}},
     {NULL}};
 static const struct verify_field field = {

@@ -58,6 +58,7 @@ static const struct verify_subject strip_subjects[] = {
     {"shell_3,shell_selective_3", STRIP, {16, 32}, {4, 4}, 2},
     {"iga_selective_3", STRIP, {16, 32}, {4, 4}, 2},
     {"triangles", STRIP, {40, 80}, {3, 3}},
+    VERIFY_MESHES(STRIP, {40, 80}, {3, 3}),
     {"mass_spring", 0, "springs bend as a plate only in the limit", {20, 40}, {3, 5}},
     {NULL}};
 static const struct verify_field strips = {strip_subjects};

@@ -22,6 +22,7 @@ static const struct verify_subject entries[] = {
     {"iga,shell", EXACT, {7}, {6}, DEGREE(4)},
     {"iga,shell", EXACT, {8}, {7}, DEGREE(5)},
     {"triangles", ROWS},
+    VERIFY_MESHES(EXACT),
     {"mass_spring,position_based,projective_dynamics,vbd", LIMITS},
     {NULL}};
 static const struct verify_field field = {entries,

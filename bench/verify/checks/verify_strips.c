@@ -28,6 +28,7 @@ static const struct verify_subject entries[] = {
      .changed = "0.5 % of 24x4, uniform knots, which heavy strips miss"},
     {"shell_selective_3", THEORY, {16, 32}, {4, 4}, 2},
     {"triangles", ASKED, {80, 160}, {3, 3}},
+    VERIFY_MESHES(ASKED, {80, 160}, {3, 3}),
     {"mass_spring", 0, "springs bend as a plate only in the limit", {20, 40}, {3, 5}},
     {"position_based", 0, "no statics: damped motion", {20}, {3}},
     {"projective_dynamics", 0, "no statics: damped motion", {20, 40}, {3, 5}},

@@ -209,8 +209,9 @@ void contest_fill(const struct contest *c, const struct run_result *r,
                    : c->advises ? r->create.min + r->step.min * (double)r->steps
                                 : r->create.median + r->step.median * (double)r->steps;
     row->result = *r;
-    row->result.xyz = NULL, row->result.time = NULL;
-    row->result.scene = (struct scene){0};
+    row->result.xyz = NULL,
+    row->result.time = NULL; /* and what owns these is the caller's */
+    row->result.scene = (struct scene){0}, row->result.arena = (struct arena){0};
 }
 
 const struct contestant *contest_entrant(const struct contest *c, int k)

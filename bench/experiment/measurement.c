@@ -344,9 +344,9 @@ out:
 
 /* Prints for how much of the time there was a processor: milliseconds of a busy machine are
  * too long. */
-static void tell_share(const struct store_read *run, FILE *file)
+static void tell_share(struct store_read *run, FILE *file)
 {
-    double *all = NULL, *ours = NULL;
+    double *all, *ours;
     int rows, columns;
 
     if (store_read_array(run, "seconds/timed", &all, &rows, &columns, NULL) == STATUS_OK &&
@@ -356,8 +356,6 @@ static void tell_share(const struct store_read *run, FILE *file)
         if (*ours < MEASUREMENT_PROCESSOR * *all)
             fprintf(file, ": the machine was busy, and no statement on time is judged");
     }
-    free(all);
-    free(ours);
 }
 
 void measurement_machine(const char *path, FILE *file)
@@ -374,10 +372,9 @@ void measurement_machine(const char *path, FILE *file)
         goto out;
     fputs("Measured:", memory);
     for (size_t n = 0; n < sizeof keys / sizeof *keys; n++) {
-        char *text = NULL;
+        char *text;
         if (store_read_text(run, "provenance", keys[n], &text, NULL) == STATUS_OK)
             fprintf(memory, "%s%s %s", n ? "; " : " ", keys[n], text);
-        free(text);
     }
     tell_share(run, memory);
     fflush(memory);

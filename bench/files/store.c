@@ -449,7 +449,7 @@ void store_discard(struct store *s)
 /* --- reading -------------------------------------------------------------------------- */
 
 struct store_read {
-    struct arena arena; /* of it and its path                                     owned  */
+    struct arena arena; /* of it and of what was read                             owned  */
     char *path;
     hid_t file, xyz;
     int frames;
@@ -534,12 +534,11 @@ bool store_read_has(const struct store_read *f, const char *name)
     return H5Lexists(f->file, name, H5P_DEFAULT) > 0;
 }
 
-enum status store_read_array(const struct store_read *f, const char *name, double **values,
+enum status store_read_array(struct store_read *f, const char *name, double **values,
                              int *rows, int *columns, struct message *why)
 {
     const hsize_t most = (hsize_t)(f->size < INT_MAX ? f->size : INT_MAX);
     hsize_t size[HDF5_FILE_RANK] = {0, 1};
-    double *array = NULL;
     enum status st = STATUS_OK;
     int rank;
 
@@ -553,21 +552,18 @@ enum status store_read_array(const struct store_read *f, const char *name, doubl
     if (size[0] > most || size[1] > most || size[0] * size[1] > most)
         TRY(status_fail(why, STATUS_INPUT, "%s: %s is larger than the file", f->path,
                         name));
-    array = malloc((size_t)(size[0] * size[1] + 1) * sizeof *array);
-    TRY(array ? STATUS_OK : STATUS_MEMORY);
-    if (H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, array) < 0)
+    *values = arena_take(&f->arena, (size_t)(size[0] * size[1]), sizeof **values);
+    if (H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, *values) < 0)
         TRY(unreadable(f, name, why));
-    *values = array, array = NULL;
     *rows = (int)size[0];
     *columns = (int)size[1];
 out:
-    free(array);
     hdf5_file_drop(set);
     return st;
 }
 
 /* Reads one text of fixed length from an attribute or, if it is long, a dataset. */
-enum status store_read_text(const struct store_read *f, const char *group, const char *key,
+enum status store_read_text(struct store_read *f, const char *group, const char *key,
                             char **text, struct message *why)
 {
     const bool set = H5Aexists_by_name(f->file, group, key, H5P_DEFAULT) <= 0;
@@ -582,18 +578,15 @@ enum status store_read_text(const struct store_read *f, const char *group, const
     bool good = size && size <= TEXT_MOST && H5Tget_class(type) == H5T_STRING &&
                 H5Tis_variable_str(type) == 0 && H5Sget_simple_extent_npoints(space) == 1;
 
-    *text = good ? calloc(size + 1, 1) : NULL;
-    if (*text)
+    *text = arena_take(&f->arena, good ? size + 1 : 1, 1);
+    if (good)
         good = (set ? H5Dread(object, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, *text)
                     : H5Aread(object, type, *text)) >= 0;
     hdf5_file_drop(space);
     hdf5_file_drop(type);
     hdf5_file_drop(object);
-    if (good)
-        return *text ? STATUS_OK : STATUS_MEMORY;
-    free(*text);
-    *text = NULL;
-    return status_fail(why, STATUS_INPUT, "%s: has no text %s", f->path, key);
+    return good ? STATUS_OK
+                : status_fail(why, STATUS_INPUT, "%s: has no text %s", f->path, key);
 }
 
 enum status store_read_number(const struct store_read *f, const char *key, double *number,
@@ -626,22 +619,20 @@ static int find_settings(char *text, const char **settings, int most)
     return count;
 }
 
-enum status store_scene(const struct store_read *file, const char *path,
-                        struct scene *scene, struct message *why)
+enum status store_scene(struct store_read *file, const char *path, struct scene *scene,
+                        struct message *why)
 {
     enum { MOST = 256 };
     const char *settings[MOST];
     struct discretization unused = {0};
-    struct arena own = {0};
-    char *text = NULL;
+    char *text, *lines;
     enum status st;
 
     memset(scene, 0, sizeof *scene);
     TRY(store_read_text(file, "/", "scene", &text, why));
-    int count = find_settings(arena_print(&own, "%s", text), settings, MOST);
-    TRY(scene_file_parse(path, text, strlen(text), count, settings, scene, &unused, why));
+    lines = arena_print(&file->arena, "%s", text);
+    TRY(scene_file_parse(path, text, strlen(text), find_settings(lines, settings, MOST),
+                         settings, scene, &unused, why));
 out:
-    free(text);
-    arena_clear(&own);
     return st;
 }

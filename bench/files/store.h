@@ -123,15 +123,15 @@ enum status store_read_frame(const struct store_read *file, int n, double *xyz,
 bool store_read_has(const struct store_read *file, const char *name);
 
 /* Reads an array of doubles by its name in the file ("time", "metrics/drop",
- * "seconds/advance"): *values [rows][columns], freed by the receiver; columns >= 1, 1 for
- * one number a row. */
-enum status store_read_array(const struct store_read *file, const char *name,
-                             double **values, int *rows, int *columns, struct message *why);
+ * "seconds/advance"): *values [rows][columns], good until the file is closed; columns >= 1,
+ * 1 for one number a row. */
+enum status store_read_array(struct store_read *file, const char *name, double **values,
+                             int *rows, int *columns, struct message *why);
 
 /* Reads the text attribute `key` of `group` ("/", "provenance", "metrics/drop"); *text is
- * freed by the receiver. */
-enum status store_read_text(const struct store_read *file, const char *group,
-                            const char *key, char **text, struct message *why);
+ * good until the file is closed. */
+enum status store_read_text(struct store_read *file, const char *group, const char *key,
+                            char **text, struct message *why);
 
 /* Reads the number attribute `key` of "/" ("length", "unknowns"). */
 enum status store_read_number(const struct store_read *file, const char *key,
@@ -140,7 +140,7 @@ enum status store_read_number(const struct store_read *file, const char *key,
 /* Reads the scene of a result file as it was run: the file keeps its text with its settings
  * below as lines `# --set KEY=VALUE`; they are applied again. *scene is overwritten, and
  * freed with scene_clear. */
-enum status store_scene(const struct store_read *file, const char *path,
-                        struct scene *scene, struct message *why);
+enum status store_scene(struct store_read *file, const char *path, struct scene *scene,
+                        struct message *why);
 
 #endif

@@ -25,7 +25,8 @@ static void close_moving(void *state)
     frames_array_close(m->file);
     store_read_close(m->own);
     free(m->field);
-    free(m->t);
+    if (!m->own) /* whose file has them */
+        free(m->t);
 }
 
 static enum status next_moving(struct frames *f, double *t, struct message *why)
@@ -152,11 +153,11 @@ out:
 }
 
 /* Reads the points of the net that a result file is of. */
-static enum status read_points(struct frames *f, const struct store_read *own,
+static enum status read_points(struct frames *f, struct store_read *own,
                                struct message *why)
 {
     static const char key[] = "discretization.points=[";
-    char *text = NULL;
+    char *text;
     enum status st;
 
     TRY(store_read_text(own, "/", "discretization", &text, why));
@@ -164,7 +165,6 @@ static enum status read_points(struct frames *f, const struct store_read *own,
     if (!at || sscanf(at + strlen(key), "%d,%d", &f->net.points[0], &f->net.points[1]) != 2)
         f->net.points[0] = f->net.points[1] = 0;
 out:
-    free(text);
     return st;
 }
 
@@ -172,6 +172,7 @@ static enum status open_own(struct frames *f, struct message *why)
 {
     struct moving *m = f->state;
     int rows, columns;
+    char *scene;
     enum status st;
 
     TRY(store_read_open(f->path, &m->own, why));
@@ -180,12 +181,13 @@ static enum status open_own(struct frames *f, struct message *why)
     if (rows != f->count || columns != 1)
         TRY(status_fail(why, STATUS_INPUT, "%s: xyz_time: has %d times of %d frames",
                         f->path, rows, f->count));
-    TRY(store_read_text(m->own, "/", "scene_name", &f->scene, why));
+    TRY(store_read_text(m->own, "/", "scene_name", &scene, why));
+    f->scene = strdup(scene);
     TRY(read_points(f, m->own, why));
     TRY(frames_room(f, GRID_U * GRID_V, why));
     m->field = malloc(3 * GRID_POINTS * sizeof *m->field);
     f->net.uv = malloc(2 * GRID_U * GRID_V * sizeof *f->net.uv);
-    TRY(m->field && f->net.uv ? STATUS_OK : STATUS_MEMORY);
+    TRY(f->scene && m->field && f->net.uv ? STATUS_OK : STATUS_MEMORY);
     for (int n = 0; n < GRID_U * GRID_V; n++) {
         double uvw[3];
         grid_point(n, uvw);

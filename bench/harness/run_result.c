@@ -27,12 +27,11 @@ static enum status find_outcome(const char *text, const char *path, enum status 
 }
 
 /* Reads an array of as many numbers as there are looks into value[], every `stride`-th. */
-static enum status read_numbers(const struct store_read *file, const char *path,
-                                const char *name, int count, int stride, double *value,
-                                struct message *why)
+static enum status read_numbers(struct store_read *file, const char *path, const char *name,
+                                int count, int stride, double *value, struct message *why)
 {
     enum status st;
-    double *array = NULL;
+    double *array;
     int rows, columns;
 
     TRY(store_read_array(file, name, &array, &rows, &columns, why));
@@ -42,15 +41,14 @@ static enum status read_numbers(const struct store_read *file, const char *path,
     for (int n = 0; n < count; n++)
         value[n * stride] = array[n];
 out:
-    free(array);
     return st;
 }
 
-static enum status read_looks(const struct store_read *file, const char *path,
-                              struct looks *l, struct message *why)
+static enum status read_looks(struct store_read *file, const char *path, struct looks *l,
+                              struct message *why)
 {
     enum status st;
-    double *time = NULL;
+    double *time;
     char name[64];
     int count, columns;
 
@@ -66,41 +64,38 @@ static enum status read_looks(const struct store_read *file, const char *path,
     TRY(read_numbers(file, path, "energy/elastic", count, 3, &l->energy->elastic, why));
     TRY(read_numbers(file, path, "energy/potential", count, 3, &l->energy->potential, why));
 out:
-    free(time);
     return st;
 }
 
 /* Reads the measures of the truth, where the file has distances to one (looks_truth). */
-static enum status read_truth(const struct store_read *file, const char *path, int looks,
+static enum status read_truth(struct store_read *file, const char *path, int looks,
                               double *value, struct message *why)
 {
-    double *number[LOOKS_TRUTH] = {NULL};
+    double *number[LOOKS_TRUTH];
     char name[64];
+    int rows, columns;
     enum status st = STATUS_OK;
 
     for (int n = 0; n < LOOKS_TRUTH; n++) {
         snprintf(name, sizeof name, "metrics/%s", looks_truth[n]);
         if (!store_read_has(file, name))
-            goto out;
-        number[n] = calloc((size_t)looks + 1, sizeof *number[n]);
-        TRY(number[n] ? STATUS_OK : STATUS_MEMORY);
+            return STATUS_OK;
+        TRY(store_read_array(file, name, &number[n], &rows, &columns, why));
         TRY(read_numbers(file, path, name, looks, 1, number[n], why));
     }
     looks_reduce_truth(looks, number[LOOKS_TRUTH_ERROR], number[LOOKS_TRUTH_BAR], value);
 out:
-    for (int n = 0; n < LOOKS_TRUTH; n++)
-        free(number[n]);
     return st;
 }
 
 /* Reads an array of seconds, if it is there: the summary, over the repeats, of each one's
  * mean over its steps (a death leaves some out); the first repeat's sum and number of
  * steps. */
-static enum status read_seconds(const struct store_read *file, const char *name,
+static enum status read_seconds(struct store_read *file, const char *name,
                                 struct clock_summary *summary, double *sum, long *steps,
                                 struct message *why)
 {
-    double *seconds = NULL, total = 0;
+    double *seconds, total = 0;
     int rows, columns, repeats = 0;
     enum status st;
 
@@ -128,11 +123,10 @@ static enum status read_seconds(const struct store_read *file, const char *name,
         TRY(summary->count ? STATUS_OK : STATUS_MEMORY);
     }
 out:
-    free(seconds);
     return st;
 }
 
-static enum status read_times(const struct store_read *file, struct run_result *r,
+static enum status read_times(struct store_read *file, struct run_result *r,
                               struct message *why)
 {
     static const char *const phase[RUN_RESULT_PHASES] = {"seconds/assemble",
@@ -160,7 +154,7 @@ static long count_of(double value)
 }
 
 /* Reads the work up to the last look. */
-static enum status read_work(const struct store_read *file, struct counters *work,
+static enum status read_work(struct store_read *file, struct counters *work,
                              struct message *why)
 {
     const struct {
@@ -178,7 +172,7 @@ static enum status read_work(const struct store_read *file, struct counters *wor
     enum status st = STATUS_OK;
 
     for (size_t n = 0; n < sizeof counters / sizeof *counters; n++) {
-        double *value = NULL;
+        double *value;
         int rows, columns;
         TRY(store_read_array(file, counters[n].name, &value, &rows, &columns, why));
         const double last = rows && isfinite(value[rows - 1]) ? value[rows - 1] : 0;
@@ -186,30 +180,30 @@ static enum status read_work(const struct store_read *file, struct counters *wor
             *counters[n].count = count_of(last);
         else
             work->left = last;
-        free(value);
     }
 out:
     return st;
 }
 
-static enum status read_fields(const struct store_read *file, const char *path, bool fields,
+static enum status read_fields(struct store_read *file, const char *path, bool fields,
                                struct run_result *r, struct message *why)
 {
     int times, columns;
+    double *time;
     enum status st;
 
-    TRY(store_read_array(file, "xyz_time", &r->time, &times, &columns, why));
+    TRY(store_read_array(file, "xyz_time", &time, &times, &columns, why));
     r->frames = store_read_frames(file);
     if (times != r->frames)
         TRY(status_fail(why, STATUS_INPUT, "%s: has %d fields at %d times", path, r->frames,
                         times));
+    r->time = arena_take(&r->arena, (size_t)times, sizeof *time);
+    memcpy(r->time, time, (size_t)times * sizeof *time);
     if (!fields)
         return st;
-    r->xyz = calloc((size_t)r->frames + 1, sizeof *r->xyz);
-    TRY(r->xyz ? STATUS_OK : STATUS_MEMORY);
+    r->xyz = arena_take(&r->arena, (size_t)r->frames, sizeof *r->xyz);
     for (int n = 0; n < r->frames; n++) {
-        r->xyz[n] = malloc(3 * GRID_POINTS * sizeof **r->xyz);
-        TRY(r->xyz[n] ? STATUS_OK : STATUS_MEMORY);
+        r->xyz[n] = arena_take(&r->arena, 3 * GRID_POINTS, sizeof **r->xyz);
         TRY(store_read_frame(file, n, r->xyz[n], why));
     }
 out:
@@ -240,23 +234,19 @@ void run_result_tell(struct run_result *r, const char *refusal)
         status_fail(&r->sentence, r->outcome, "%s", r->outcome ? refusal : "done");
 }
 
-/* Reads a text that not every file has; fails only with STATUS_MEMORY. */
-static enum status read_extra(const struct store_read *file, const char *key, char *text,
-                              int size)
+/* Reads a text that not every file has. */
+static void read_extra(struct store_read *file, const char *key, char *text, size_t size)
 {
-    char *whole = NULL;
-    const enum status st = store_read_text(file, "/", key, &whole, NULL);
+    char *whole;
 
-    if (st == STATUS_OK)
-        snprintf(text, (size_t)size, "%s", whole);
-    free(whole);
-    return st == STATUS_MEMORY ? st : STATUS_OK;
+    if (store_read_text(file, "/", key, &whole, NULL) == STATUS_OK)
+        snprintf(text, size, "%s", whole);
 }
 
-static enum status read_end(const struct store_read *file, const char *path,
-                            struct run_result *r, struct message *why)
+static enum status read_end(struct store_read *file, const char *path, struct run_result *r,
+                            struct message *why)
 {
-    char *outcome = NULL, *note = NULL, quick[8] = "";
+    char *outcome, *note = "", quick[8] = "";
     enum status st;
 
     r->death_time = NAN;
@@ -266,23 +256,21 @@ static enum status read_end(const struct store_read *file, const char *path,
         TRY(store_read_text(file, "/", "note", &note, why));
     else if (r->outcome)
         TRY(store_read_number(file, "death_time", &r->death_time, why));
-    run_result_tell(r, note ? note : "");
-    TRY(read_extra(file, "made_for", r->made_for, sizeof r->made_for));
-    TRY(read_extra(file, "quick", quick, sizeof quick));
+    run_result_tell(r, note);
+    read_extra(file, "made_for", r->made_for, sizeof r->made_for);
+    read_extra(file, "quick", quick, sizeof quick);
     r->quick = *quick;
-    TRY(read_extra(file, "distrust", r->distrust.text, sizeof r->distrust.text));
+    read_extra(file, "distrust", r->distrust.text, sizeof r->distrust.text);
 out:
-    free(outcome);
-    free(note);
     return st;
 }
 
 /* Reads what of its numerics a table shows. */
-static enum status read_numerics(const struct store_read *file, const char *path,
+static enum status read_numerics(struct store_read *file, const char *path,
                                  struct run_result *r, struct message *why)
 {
-    char *text = NULL;
-    const char *points = NULL;
+    char *text;
+    const char *points;
     enum status st;
 
     TRY(store_read_text(file, "/", "discretization", &text, why));
@@ -292,7 +280,6 @@ static enum status read_numerics(const struct store_read *file, const char *path
         TRY(status_fail(why, STATUS_INPUT, "%s: has no points", path));
     r->linear = strstr(text, "discretization.kinematics=linear\n");
 out:
-    free(text);
     return st;
 }
 
@@ -329,10 +316,7 @@ out:
 
 void run_result_clear(struct run_result *r)
 {
-    for (int n = 0; r->xyz && n < r->frames; n++)
-        free(r->xyz[n]);
-    free(r->xyz);
-    free(r->time);
+    arena_clear(&r->arena);
     scene_clear(&r->scene);
     *r = (struct run_result){0};
 }

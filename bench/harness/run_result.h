@@ -2,6 +2,7 @@
 #ifndef RUN_RESULT_H
 #define RUN_RESULT_H
 
+#include "bench/files/arena.h"
 #include "bench/harness/measures.h"
 #include "models/clock.h"
 #include "models/model.h"
@@ -31,8 +32,9 @@ struct run_result {
     struct clock_summary phase[RUN_RESULT_PHASES];
     double processor; /* share of the timing in which it had a processor; NaN: not timed  */
     int frames;   /* fields kept; fewer than asked for after a death                   */
-    double *time; /* [frames] [s]                                               owned  */
-    double **xyz; /* [frames] (grid.h) [m]; NULL unless asked for              owned   */
+    double *time; /* [frames] [s]                                                      */
+    double **xyz; /* [frames] (grid.h) [m]; NULL unless asked for                      */
+    struct arena arena; /* of these                                             owned  */
 };
 
 /* Returns whether the model refused; nothing else is known then but the sentence. */

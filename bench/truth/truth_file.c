@@ -358,10 +358,10 @@ out:
     return st;
 }
 
-static enum status read_columns(const struct store_read *file, struct truth *made)
+static enum status read_columns(struct store_read *file, struct truth *made)
 {
     enum status st = STATUS_OK;
-    double *column = NULL;
+    double *column;
     int rows, width;
 
     for (int c = 0; c < COLUMNS; c++) {
@@ -374,35 +374,31 @@ static enum status read_columns(const struct store_read *file, struct truth *mad
             TRY(STATUS_INPUT);
         for (int n = 0; n < rows; n++)
             *cell(made, n, columns[c].column) = column[n];
-        free(column), column = NULL;
     }
 out:
-    free(column);
     return st;
 }
 
 /* Reads what room[size] takes of a text; of a file without it `else_say`, if not NULL. */
-static enum status read_text(const struct store_read *file, const char *group,
-                             const char *key, const char *else_say, char *room, size_t size)
+static enum status read_text(struct store_read *file, const char *group, const char *key,
+                             const char *else_say, char *room, size_t size)
 {
-    char *text = NULL;
-    enum status st = store_read_text(file, group, key, &text, NULL);
+    char *text;
+    const enum status st = store_read_text(file, group, key, &text, NULL);
 
-    if (st != STATUS_OK && st != STATUS_MEMORY && else_say)
-        st = STATUS_OK;
-    snprintf(room, size, "%s", text ? text : else_say ? else_say : "");
-    free(text);
-    return st;
+    snprintf(room, size, "%s", st == STATUS_OK ? text : else_say ? else_say : "");
+    return else_say ? STATUS_OK : st;
 }
 
-static enum status read_made(const struct store_read *file, struct truth *made,
-                             char **physics)
+static enum status read_made(struct store_read *file, struct truth *made, char **physics)
 {
     enum status st;
-    double *time = NULL;
+    double *time;
+    char *text;
     int times, width, claimed = store_read_frames(file);
 
-    TRY(store_read_text(file, "/", "physics", physics, NULL));
+    TRY(store_read_text(file, "/", "physics", &text, NULL));
+    TRY((*physics = strdup(text)) ? STATUS_OK : STATUS_MEMORY);
     TRY(store_read_array(file, "time", &time, &times, &width, NULL));
     TRY(claimed > times ? STATUS_INPUT : truth_init(made, times, claimed, time));
     TRY(read_columns(file, made));
@@ -415,7 +411,6 @@ static enum status read_made(const struct store_read *file, struct truth *made,
     TRY(read_text(file, "provenance", "changed_files", "unknown", made->changed,
                   sizeof made->changed));
 out:
-    free(time);
     return st;
 }
 

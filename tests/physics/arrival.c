@@ -171,7 +171,6 @@ static void check_outcome(void)
     REQUIRE(store_read_open(file, &stored, &why) == STATUS_OK);
     REQUIRE(store_read_text(stored, "/", "outcome", &outcome, &why) == STATUS_OK);
     CHECK(!strcmp(outcome, STORE_NOT_ARRIVED));
-    free(outcome);
     store_read_close(stored);
     settings_set(&plan.settings, "discretization.iterations=1");
     way_of(&plan, middle, 2, NULL, &made, &told);

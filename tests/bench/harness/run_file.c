@@ -136,7 +136,6 @@ static void check_array(const char *name, int count, const double *want)
     CHECK(store_read_array(store, name, &value, &rows, &columns, NULL) == STATUS_OK);
     if (CHECK(rows * columns == count))
         CHECK(!memcmp(value, want, (size_t)count * sizeof *value));
-    free(value);
     store_read_close(store);
 }
 

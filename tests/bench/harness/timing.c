@@ -157,7 +157,6 @@ static void check_seconds(const char *path, int repeats, int frames)
     CHECK(rows == repeats && columns == frames);
     for (int n = 0; n < rows * columns; n++)
         CHECK(seconds[n] >= 0);
-    free(seconds);
     store_read_close(file);
 }
 

@@ -18,8 +18,8 @@ enum status frames_room(struct frames *f, long vertices, struct message *why)
                            "%s: has %ld vertices; 4 to %d would be right", f->path,
                            vertices, FRAMES_MOST_VERTICES);
     f->net.vertices = (int)vertices;
-    f->xyz = malloc((size_t)vertices * 3 * sizeof *f->xyz);
-    return f->xyz ? STATUS_OK : STATUS_MEMORY;
+    f->xyz = arena_take(&f->arena, (size_t)vertices, 3 * sizeof *f->xyz);
+    return STATUS_OK;
 }
 
 static bool ends(const char *name, const char *ending)
@@ -69,36 +69,24 @@ enum status frames_folder_read(const char *path, struct frames_folder *folder,
 {
     struct dirent **entry = NULL;
     const int count = scandir(path, &entry, is_seen, versionsort);
-    enum status st = STATUS_OK;
 
-    *folder = (struct frames_folder){0};
+    *folder = (struct frames_folder){.count = count};
     if (count < 0)
         return errno == ENOMEM
                    ? STATUS_MEMORY
                    : status_fail(why, STATUS_FILE, "%s: %s", path, strerror(errno));
-    folder->path = calloc((size_t)count + 1, sizeof *folder->path);
+    folder->path = arena_take(&folder->arena, (size_t)count, sizeof *folder->path);
     for (int n = 0; n < count; n++) {
-        const size_t size = strlen(path) + strlen(entry[n]->d_name) + 2;
-        char *text = folder->path ? malloc(size) : NULL;
-        if (text) {
-            snprintf(text, size, "%s/%s", path, entry[n]->d_name);
-            folder->path[folder->count++] = text;
-        }
+        folder->path[n] = arena_print(&folder->arena, "%s/%s", path, entry[n]->d_name);
         free(entry[n]);
     }
     free(entry);
-    if (folder->count < count || !folder->path) {
-        frames_folder_clear(folder);
-        st = STATUS_MEMORY;
-    }
-    return st;
+    return STATUS_OK;
 }
 
 void frames_folder_clear(struct frames_folder *folder)
 {
-    for (int n = 0; n < folder->count; n++)
-        free(folder->path[n]);
-    free(folder->path);
+    arena_clear(&folder->arena);
     *folder = (struct frames_folder){0};
 }
 
@@ -109,8 +97,6 @@ void frames_folder_keep(struct frames_folder *folder, bool (*keep)(const char *p
     for (int n = 0; n < folder->count; n++)
         if (keep(folder->path[n]))
             folder->path[kept++] = folder->path[n];
-        else
-            free(folder->path[n]);
     folder->count = kept;
 }
 
@@ -137,13 +123,9 @@ static enum status list_files(struct frames *f, int count, const char *const *pa
                              paths[0]);
         return st;
     }
-    f->files.path = calloc((size_t)count, sizeof *f->files.path);
-    TRY(f->files.path ? STATUS_OK : STATUS_MEMORY);
-    for (int n = 0; n < count; n++) {
-        f->files.path[n] = strdup(paths[n]);
-        TRY(f->files.path[n] ? STATUS_OK : STATUS_MEMORY);
-        f->files.count++;
-    }
+    f->files.path = arena_take(&f->arena, (size_t)count, sizeof *f->files.path);
+    for (int n = 0; n < count; n++)
+        f->files.path[f->files.count++] = arena_print(&f->arena, "%s", paths[n]);
 out:
     return st;
 }
@@ -153,7 +135,6 @@ static enum status open_files(struct frames *f, struct message *why)
 {
     char **path = f->files.path;
     const int count = f->files.count, kind = kind_of(path[0]);
-    enum status st = STATUS_OK;
 
     if (kind < 0)
         return status_fail(why, STATUS_INPUT,
@@ -171,17 +152,12 @@ static enum status open_files(struct frames *f, struct message *why)
                 why, STATUS_INPUT,
                 "%s: is one of %d files, and each %s has all frames; name one", path[0],
                 count, kinds[kind].ending);
-        free(f->path); /* one of a folder */
-        f->path = strdup(path[0]);
-        TRY(f->path ? STATUS_OK : STATUS_MEMORY);
+        f->path = path[0]; /* one of a folder */
     }
     qsort(path, (size_t)count, sizeof *path, compare_paths);
-    f->state = calloc(1, kinds[kind].reader->state);
-    TRY(f->state ? STATUS_OK : STATUS_MEMORY);
+    f->state = arena_take(&f->arena, 1, kinds[kind].reader->state);
     f->reader = kinds[kind].reader;
-    st = f->reader->open(f, why);
-out:
-    return st;
+    return f->reader->open(f, why);
 }
 
 /* Reads the mesh of --rest and takes uv, rest positions and faces from it. */
@@ -190,19 +166,16 @@ static enum status take_rest(struct frames *f, struct message *why)
     struct frames_mesh mesh;
     enum status st;
 
-    TRY(frames_mesh_read(f->look.rest, &mesh, why));
+    TRY(frames_mesh_read(f->look.rest, &f->arena, &mesh, why));
     if (mesh.vertices != f->net.vertices)
         TRY(status_fail(why, STATUS_INPUT, "%s: has %d vertices, %s %d; the same is right",
                         f->look.rest, mesh.vertices, f->path, f->net.vertices));
     if (!f->net.uv)
-        f->net.uv = mesh.uv, mesh.uv = NULL;
-    f->net.rest = mesh.xyz, mesh.xyz = NULL;
-    if (!f->net.triangles) {
-        f->net.triangles = mesh.triangles;
-        f->net.triangle = mesh.triangle, mesh.triangle = NULL;
-    }
+        f->net.uv = mesh.uv;
+    f->net.rest = mesh.xyz;
+    if (!f->net.triangles)
+        f->net.triangles = mesh.triangles, f->net.triangle = mesh.triangle;
 out:
-    frames_mesh_clear(&mesh);
     return st;
 }
 
@@ -219,14 +192,13 @@ static enum status check_uv(const struct frames *f, struct message *why)
 enum status frames_open(int count, const char *const *paths, const struct frames_look *look,
                         struct frames **frames, struct message *why)
 {
-    struct frames *f = calloc(1, sizeof *f);
+    struct arena arena = {0};
+    struct frames *f = arena_take(&arena, 1, sizeof *f);
     enum status st;
 
-    if (!f)
-        return STATUS_MEMORY;
     f->look = *look;
-    f->path = strdup(paths[0]);
-    TRY(f->path ? STATUS_OK : STATUS_MEMORY);
+    f->path = arena_print(&arena, "%s", paths[0]);
+    f->arena = arena;
     TRY(list_files(f, count, paths, why));
     TRY(open_files(f, why));
     if (look->rest)
@@ -249,15 +221,9 @@ void frames_close(struct frames *f)
         return;
     if (f->reader && f->reader->close)
         f->reader->close(f->state);
-    free(f->state);
     frames_folder_clear(&f->files);
-    free(f->path);
-    free(f->scene);
-    free(f->net.uv);
-    free(f->net.rest);
-    free(f->net.triangle);
-    free(f->xyz);
-    free(f);
+    struct arena arena = f->arena;
+    arena_clear(&arena);
 }
 
 const char *frames_name(const struct frames *f)

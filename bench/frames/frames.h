@@ -27,6 +27,7 @@
 
 #include <stdbool.h>
 
+#include "bench/files/arena.h"
 #include "models/status.h"
 
 struct frames;
@@ -75,7 +76,8 @@ enum status frames_next(struct frames *f, double *t, const double **xyz,
 /* The files of a folder, in the order of the numbers in their names: s2 before s10. */
 struct frames_folder {
     int count;
-    char **path; /* [count] FOLDER/NAME, hidden ones left out         all owned */
+    char **path;        /* [count] FOLDER/NAME, hidden ones left out                */
+    struct arena arena; /* of these                                      owned */
 };
 
 /* Lists a folder. STATUS_FILE with a sentence; *folder is overwritten; free with

@@ -9,8 +9,8 @@
 
 struct cache {
     struct frames_file file; /* read up to the next positions                             */
-    unsigned char *times;    /* [frames][4]; NULL: none                           owned   */
-    unsigned char *bytes;    /* [vertices][3][4] of a frame                       owned   */
+    unsigned char *times;    /* [frames][4]; NULL: none                                   */
+    unsigned char *bytes;    /* [vertices][3][4] of a frame                               */
     bool big;
     double rate; /* [s] of PC2; 0: not told                                               */
 };
@@ -20,8 +20,6 @@ static void close_cache(void *state)
     struct cache *c = state;
 
     frames_file_close(&c->file);
-    free(c->times);
-    free(c->bytes);
 }
 
 static enum status next_cache(struct frames *f, double *t, struct message *why)
@@ -70,9 +68,8 @@ static enum status open_cache(struct frames *f, struct message *why)
     f->timed = c->big || c->rate > 0;
     f->count = (int)frames;
     TRY(frames_room(f, (long)points, why));
-    c->bytes = malloc(12 * (size_t)points);
-    c->times = c->big ? malloc(4 * (size_t)frames) : NULL;
-    TRY(c->bytes && (c->times || !c->big) ? STATUS_OK : STATUS_MEMORY);
+    c->bytes = arena_take(&f->arena, (size_t)points, 12);
+    c->times = c->big ? arena_take(&f->arena, (size_t)frames, 4) : NULL;
     if (c->big && !frames_file_read(&c->file, c->times, 4 * (size_t)frames))
         st = status_fail(why, STATUS_INPUT, "%s: ends within its times", f->path);
 out:

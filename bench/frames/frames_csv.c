@@ -30,11 +30,12 @@ struct csv {
     struct frames_file file;
     bool semicolons;   /* stand between the cells, and numbers may have decimal commas   */
     int cell[COLUMNS]; /* which one of a line each is, from 0                            */
-    int runs, room;
-    struct run *run; /* [runs] by time, then place                              owned   */
-    int taken;       /* runs of the frames before                                       */
-    struct key *key; /* [vertices] sorted                                       owned   */
-    char *seen;      /* [vertices] in this frame                                owned   */
+    int runs;
+    struct run *run;     /* [runs] by time, then place                                  */
+    int taken;           /* runs of the frames before                                   */
+    struct key *key;     /* [vertices] sorted                                           */
+    char *seen;          /* [vertices] in this frame                                    */
+    struct arena *arena; /* of these                                           borrowed */
 };
 
 static void close_csv(void *state)
@@ -42,9 +43,6 @@ static void close_csv(void *state)
     struct csv *c = state;
 
     frames_file_close(&c->file);
-    free(c->run);
-    free(c->key);
-    free(c->seen);
 }
 
 /* Reads lines up to the next that is neither blank nor a comment (strchr finds the end of a
@@ -128,10 +126,7 @@ static enum status take_time(struct csv *c, struct message *why)
         last->rows++;
         return STATUS_OK;
     }
-    struct run *more = frames_file_grow(c->run, &c->room, c->runs, sizeof *more);
-    if (!more)
-        return STATUS_MEMORY;
-    c->run = more;
+    c->run = arena_more(c->arena, c->run, (size_t)c->runs, sizeof *c->run);
     c->run[c->runs++] = (struct run){t, c->file.at, c->file.line, 1};
     return STATUS_OK;
 }
@@ -282,10 +277,9 @@ static enum status take_net(struct frames *f, struct csv *c, struct message *why
     for (int n = 0; n < c->runs && c->run[n].t == c->run->t; n++)
         count += c->run[n].rows;
     TRY(frames_room(f, count, why));
-    f->net.uv = malloc(2 * (size_t)count * sizeof *f->net.uv);
-    c->key = malloc((size_t)count * sizeof *c->key);
-    c->seen = malloc((size_t)count);
-    TRY(f->net.uv && c->key && c->seen ? STATUS_OK : STATUS_MEMORY);
+    f->net.uv = arena_take(c->arena, (size_t)count, 2 * sizeof *f->net.uv);
+    c->key = arena_take(c->arena, (size_t)count, sizeof *c->key);
+    c->seen = arena_take(c->arena, (size_t)count, 1);
     TRY(take_frame(f, c->run, true, &count, why));
     qsort(c->key, (size_t)count, sizeof *c->key, compare_keys);
 out:
@@ -298,6 +292,7 @@ static enum status open_csv(struct frames *f, struct message *why)
     enum status st;
 
     f->timed = true;
+    c->arena = &f->arena;
     TRY(frames_file_open(f->path, &c->file, why));
     TRY(find_runs(f, c, why));
     TRY(take_net(f, c, why));

@@ -93,19 +93,6 @@ bool frames_file_number(char **p, double *x)
     return is;
 }
 
-void *frames_file_grow(void *array, int *room, int count, size_t size)
-{
-    const int next = *room < 1024 ? 1024 : *room + *room / 2;
-    void *more;
-
-    if (count < *room)
-        return array;
-    more = realloc(array, (size_t)next * size);
-    if (more)
-        *room = next;
-    return more;
-}
-
 unsigned long frames_file_whole(const unsigned char *p, int size, bool big)
 {
     unsigned long x = 0;

@@ -36,10 +36,6 @@ bool frames_file_read(struct frames_file *f, void *bytes, size_t size);
  * left in the line. */
 bool frames_file_number(char **p, double *x);
 
-/* Returns an array of *room items of `size` bytes, enlarged if it cannot hold one more than
- * `count`. NULL: no memory, and the array is as it was. */
-void *frames_file_grow(void *array, int *room, int count, size_t size);
-
 /* Return the number of `size` bytes at p (2, 4 or 8 of a float, 1 to 8 of a whole number).
  */
 double frames_file_float(const unsigned char *p, int size, bool big);

@@ -5,38 +5,26 @@
 #include <stdlib.h>
 #include <string.h>
 
-void frames_mesh_clear(struct frames_mesh *mesh)
-{
-    free(mesh->xyz);
-    free(mesh->uv);
-    free(mesh->triangle);
-    *mesh = (struct frames_mesh){0};
-}
-
-enum status frames_mesh_face(struct frames_mesh *mesh, int count, const long *vertex)
+void frames_mesh_face(struct frames_mesh *mesh, int count, const long *vertex)
 {
     for (int n = 2; n < count; n++) {
-        int(*more)[3] = frames_file_grow(mesh->triangle, &mesh->triangle_room,
-                                         mesh->triangles, sizeof *more);
-        if (!more)
-            return STATUS_MEMORY;
-        mesh->triangle = more;
-        int *corner = more[mesh->triangles++];
+        mesh->triangle = arena_more(mesh->arena, mesh->triangle, (size_t)mesh->triangles,
+                                    sizeof *mesh->triangle);
+        int *corner = mesh->triangle[mesh->triangles++];
         corner[0] = (int)vertex[0];
         corner[1] = (int)vertex[n - 1];
         corner[2] = (int)vertex[n];
     }
-    return STATUS_OK;
 }
 
-enum status frames_mesh_read(const char *path, struct frames_mesh *mesh,
-                             struct message *why)
+enum status frames_mesh_read(const char *path, struct arena *arena,
+                             struct frames_mesh *mesh, struct message *why)
 {
     const char *ending = strrchr(path, '.');
     const bool ply = ending && !strcmp(ending, ".ply");
     enum status st;
 
-    *mesh = (struct frames_mesh){0};
+    *mesh = (struct frames_mesh){.arena = arena};
     if (!ply && !(ending && !strcmp(ending, ".obj")))
         TRY(status_fail(why, STATUS_INPUT, "%s: is no mesh; an .obj or .ply would be right",
                         path));
@@ -44,8 +32,6 @@ enum status frames_mesh_read(const char *path, struct frames_mesh *mesh,
     if (!mesh->vertices)
         TRY(status_fail(why, STATUS_INPUT, "%s: has no vertices", path));
 out:
-    if (st != STATUS_OK)
-        frames_mesh_clear(mesh);
     return st;
 }
 
@@ -78,16 +64,16 @@ static enum status check_same(const struct frames *f, const struct frames_mesh *
 
 static enum status next_mesh(struct frames *f, double *t, struct message *why)
 {
+    struct arena arena = {0};
     struct frames_mesh mesh;
     enum status st;
 
     (void)t;
-    TRY(frames_mesh_read(f->files.path[f->number - 1], &mesh, why));
-    st = check_same(f, &mesh, why);
-    if (st == STATUS_OK)
-        memcpy(f->xyz, mesh.xyz, (size_t)mesh.vertices * 3 * sizeof *f->xyz);
-    frames_mesh_clear(&mesh);
+    TRY(frames_mesh_read(f->files.path[f->number - 1], &arena, &mesh, why));
+    TRY(check_same(f, &mesh, why));
+    memcpy(f->xyz, mesh.xyz, (size_t)mesh.vertices * 3 * sizeof *f->xyz);
 out:
+    arena_clear(&arena);
     return st;
 }
 
@@ -142,13 +128,11 @@ static enum status open_sequence(struct frames *f, struct message *why)
 
     f->count = f->files.count;
     TRY(check_numbers(f, why));
-    TRY(frames_mesh_read(f->files.path[0], &mesh, why));
-    s->triangles = mesh.triangles;
-    f->net.uv = mesh.uv, mesh.uv = NULL;
-    f->net.triangle = mesh.triangle, mesh.triangle = NULL;
-    f->net.triangles = mesh.triangles;
+    TRY(frames_mesh_read(f->files.path[0], &f->arena, &mesh, why));
+    s->triangles = f->net.triangles = mesh.triangles;
+    f->net.uv = mesh.uv;
+    f->net.triangle = mesh.triangle;
     st = frames_room(f, mesh.vertices, why);
-    frames_mesh_clear(&mesh);
 out:
     return st;
 }

@@ -34,12 +34,11 @@ enum status frames_mesh_obj(const char *path, struct frames_mesh *mesh, struct m
     TRY(obj_file_read(path, &o, why));
     mesh->vertices = o.vertices;
     mesh->triangles = o.corners / 3;
-    mesh->xyz = malloc(((size_t)o.vertices + 1) * 3 * sizeof *mesh->xyz);
-    mesh->uv = malloc(((size_t)o.vertices + 1) * 2 * sizeof *mesh->uv);
+    mesh->xyz = arena_take(mesh->arena, (size_t)o.vertices, 3 * sizeof *mesh->xyz);
+    mesh->uv = arena_take(mesh->arena, (size_t)o.vertices, 2 * sizeof *mesh->uv);
     if (mesh->triangles) /* else there is no list, as without faces of other formats */
-        mesh->triangle = malloc((size_t)mesh->triangles * sizeof *mesh->triangle);
-    TRY(mesh->xyz && mesh->uv && (mesh->triangle || !mesh->triangles) ? STATUS_OK
-                                                                      : STATUS_MEMORY);
+        mesh->triangle =
+            arena_take(mesh->arena, (size_t)mesh->triangles, sizeof *mesh->triangle);
     /* Texture points that no face pairs with vertices belong to them in order. */
     const bool paired = o.corners || o.textures != o.vertices;
     for (int n = 0; n < o.vertices; n++) {
@@ -51,10 +50,8 @@ enum status frames_mesh_obj(const char *path, struct frames_mesh *mesh, struct m
     for (int n = 0; n < o.corners; n++)
         mesh->triangle[n / 3][n % 3] = o.corner[n].v;
     for (int n = 0; mesh->uv && n < 2 * o.vertices; n++)
-        if (isnan(mesh->uv[n])) { /* a vertex of no face */
-            free(mesh->uv);
+        if (isnan(mesh->uv[n])) /* a vertex of no face */
             mesh->uv = NULL;
-        }
 out:
     obj_file_clear(&o);
     return st;

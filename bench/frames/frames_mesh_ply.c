@@ -183,7 +183,7 @@ static enum status take_list(struct ply *p, const struct property *q, struct mes
         vertex[n] = (long)x;
     }
     if (face)
-        st = frames_mesh_face(p->mesh, (int)count, vertex);
+        frames_mesh_face(p->mesh, (int)count, vertex);
 out:
     return st;
 }
@@ -230,10 +230,10 @@ static enum status make_room(struct ply *p, const struct element *e, struct mess
         e->count > FRAMES_MOST_VERTICES)
         return bad(p, "ends a header without vertices that have x, y and z", why);
     m->vertices = (int)e->count;
-    m->xyz = calloc((size_t)m->vertices, 3 * sizeof *m->xyz);
+    m->xyz = arena_take(m->arena, (size_t)m->vertices, 3 * sizeof *m->xyz);
     if ((uses & uv) == uv)
-        m->uv = calloc((size_t)m->vertices, 2 * sizeof *m->uv);
-    return m->xyz && (m->uv || (uses & uv) != uv) ? STATUS_OK : STATUS_MEMORY;
+        m->uv = arena_take(m->arena, (size_t)m->vertices, 2 * sizeof *m->uv);
+    return STATUS_OK;
 }
 
 enum status frames_mesh_ply(const char *path, struct frames_mesh *mesh, struct message *why)

@@ -12,10 +12,10 @@
 #include "models/grid.h"
 
 struct moving {
-    double *t;                 /* [frames]; NULL: none                          owned   */
+    double *t;                 /* [frames]; NULL: none                                  */
     struct frames_array *file; /* at the next frame of xyz; NULL: it is our own owned   */
     struct store_read *own;    /* our own, or NULL                              owned   */
-    double *field;             /* of a frame of our own                         owned   */
+    double *field;             /* of a frame of our own                                 */
 };
 
 static void close_moving(void *state)
@@ -24,9 +24,6 @@ static void close_moving(void *state)
 
     frames_array_close(m->file);
     store_read_close(m->own);
-    free(m->field);
-    if (!m->own) /* whose file has them */
-        free(m->t);
 }
 
 static enum status next_moving(struct frames *f, double *t, struct message *why)
@@ -83,12 +80,15 @@ out:
 }
 
 /* Reads a small array; *values stays NULL if there is none. */
-static enum status take_small(struct frames_array *file, const char *name, int rows,
-                              size_t columns, double **values, struct message *why)
+static enum status take_small(struct frames *f, const char *name, int rows, size_t columns,
+                              double **values, struct message *why)
 {
+    const struct moving *m = f->state;
     const enum status st =
-        frames_array_load(file, name, (size_t)rows, columns, values, why);
+        frames_array_load(m->file, name, (size_t)rows, columns, values, why);
 
+    if (st == STATUS_OK)
+        arena_keep(&f->arena, *values);
     return st == STATUS_UNSUPPORTED ? STATUS_OK : st;
 }
 
@@ -97,7 +97,7 @@ static enum status take_faces(struct frames *f, struct frames_array *file,
                               struct message *why)
 {
     enum { CORNERS = 64 };
-    struct frames_mesh mesh = {.vertices = f->net.vertices};
+    struct frames_mesh mesh = {.arena = &f->arena, .vertices = f->net.vertices};
     unsigned long long size[8];
     double *number = NULL;
     long vertex[CORNERS];
@@ -125,13 +125,12 @@ static enum status take_faces(struct frames *f, struct frames_array *file,
                                 f->path, n, x, mesh.vertices - 1));
             vertex[k] = (long)x;
         }
-        TRY(frames_mesh_face(&mesh, corners, vertex));
+        frames_mesh_face(&mesh, corners, vertex);
     }
     f->net.triangles = mesh.triangles;
-    f->net.triangle = mesh.triangle, mesh.triangle = NULL;
+    f->net.triangle = mesh.triangle;
 out:
     free(number);
-    frames_mesh_clear(&mesh);
     return st;
 }
 
@@ -144,8 +143,8 @@ static enum status open_arrays(struct frames *f, struct message *why)
     TRY(frames_array_open(f->path, &m->file, why));
     TRY(begin_xyz(f, m->file, &vertices, why));
     TRY(frames_room(f, vertices, why));
-    TRY(take_small(m->file, "uv", f->net.vertices, 2, &f->net.uv, why));
-    TRY(take_small(m->file, "t", f->count, 1, &m->t, why));
+    TRY(take_small(f, "uv", f->net.vertices, 2, &f->net.uv, why));
+    TRY(take_small(f, "t", f->count, 1, &m->t, why));
     TRY(take_faces(f, m->file, why));
     TRY(begin_xyz(f, m->file, &vertices, why)); /* from the start again */
 out:
@@ -182,12 +181,11 @@ static enum status open_own(struct frames *f, struct message *why)
         TRY(status_fail(why, STATUS_INPUT, "%s: xyz_time: has %d times of %d frames",
                         f->path, rows, f->count));
     TRY(store_read_text(m->own, "/", "scene_name", &scene, why));
-    f->scene = strdup(scene);
+    f->scene = scene;
     TRY(read_points(f, m->own, why));
     TRY(frames_room(f, GRID_U * GRID_V, why));
-    m->field = malloc(3 * GRID_POINTS * sizeof *m->field);
-    f->net.uv = malloc(2 * GRID_U * GRID_V * sizeof *f->net.uv);
-    TRY(f->scene && m->field && f->net.uv ? STATUS_OK : STATUS_MEMORY);
+    m->field = arena_take(&f->arena, 3 * GRID_POINTS, sizeof *m->field);
+    f->net.uv = arena_take(&f->arena, 2 * GRID_U * GRID_V, sizeof *f->net.uv);
     for (int n = 0; n < GRID_U * GRID_V; n++) {
         double uvw[3];
         grid_point(n, uvw);

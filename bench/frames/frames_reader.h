@@ -20,39 +20,40 @@ struct frames_reader {
 };
 
 struct frames {
-    char *path;                 /* for sentences; the file, or the folder       owned   */
+    struct arena arena;         /* of all that is below                         owned   */
+    const char *path;           /* for sentences; the file, or the folder               */
     struct frames_folder files; /* one, or those of a sequence in their order           */
     struct frames_look look;
     struct frames_net net;
-    double *xyz; /* [vertices][3]                                               owned   */
+    double *xyz; /* [vertices][3]                                                       */
     int count;   /* of frames                                                           */
     int number;  /* number of the frame last read, from 1                               */
     double time; /* of it                                                               */
-    char *scene; /* frames_scene                                                owned   */
-    bool timed;  /* the file has times                                                  */
+    const char *scene; /* frames_scene                                                  */
+    bool timed; /* the file has times                                                  */
     const struct frames_reader *reader;
-    void *state; /*                                                             owned   */
+    void *state;
 };
 
-/* Allocates the vertices of the net. STATUS_INPUT: too many, none. */
+/* Makes room for the vertices of the net. STATUS_INPUT: too many, none. */
 enum status frames_room(struct frames *f, long vertices, struct message *why);
 
-/* One mesh: all of a net, and where it is. All-zero before; free with frames_mesh_clear. */
+/* One mesh: all of a net, and where it is. All-zero before, but for its memory. */
 struct frames_mesh {
-    int vertices, triangles, room, triangle_room;
-    double *xyz;        /* [vertices][3]                                   owned */
-    double *uv;         /* [vertices][2]; NULL: none                       owned */
-    int (*triangle)[3]; /* polygons are fans of them                       owned */
+    struct arena *arena; /* borrowed */
+    int vertices, triangles;
+    double *xyz;        /* [vertices][3]                                                */
+    double *uv;         /* [vertices][2]; NULL: none                                    */
+    int (*triangle)[3]; /* polygons are fans of them                                    */
 };
-enum status frames_mesh_read(const char *path, struct frames_mesh *mesh,
-                             struct message *why);
-void frames_mesh_clear(struct frames_mesh *mesh);
+enum status frames_mesh_read(const char *path, struct arena *arena,
+                             struct frames_mesh *mesh, struct message *why);
 enum status frames_mesh_obj(const char *path, struct frames_mesh *mesh,
                             struct message *why);
 enum status frames_mesh_ply(const char *path, struct frames_mesh *mesh,
                             struct message *why);
 
 /* Adds a polygon's vertices [count], counted from 0, as triangles. */
-enum status frames_mesh_face(struct frames_mesh *mesh, int count, const long *vertex);
+void frames_mesh_face(struct frames_mesh *mesh, int count, const long *vertex);
 
 #endif

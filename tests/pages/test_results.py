@@ -59,6 +59,7 @@ def test_run(tmp_path):
     run = results.run(tmp_path / "r.h5", times=[0.4])
     assert run.time == [0.5] and run.xyz.shape == (1, 2, 25, 13, 3)
     assert np.allclose(run.xyz[0, 1, 2, 3], xyz[1, :, 8, 50 + 12].mean(0))
+    assert np.allclose(run.side_by_side()[0, 2, 13 + 3], run.xyz[0, 1, 2, 3])
 
 def test_bad_shape(tmp_path):
     sheet(tmp_path / "r.h5", np.zeros((3, 2, 100, 100, 3)))

@@ -20,6 +20,8 @@ struct counters {
     double left;   /* largest share of a step's loads that iterations left so far
                       (models/mechanics/arrival.h) [1]; 0: not measured                 */
     long missed;   /* steps whose iterations have not arrived at their limit            */
+    double astray; /* `left` where a chosen number of iterations of a descent left more
+                      than all loads; else 0 [1]                                        */
 };
 
 struct energy {

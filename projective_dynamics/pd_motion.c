@@ -270,6 +270,7 @@ static void make_arrival(struct pd_motion *m)
     }
     arrival_init(&m->arrival, m->options.iterations, MOST_ITERATIONS, loads, mass,
                  net->nodes, m->scene, m->span);
+    m->arrival.descends = !m->options.split && !m->options.chebyshev;
 }
 
 void pd_motion_clear(void *motion)

@@ -133,6 +133,7 @@ static enum status vb_motion_init(struct vb_motion *m, const struct scene *scene
     m->rest_energy = elastic(m);
     TRY(make_contact(m));
     net_arrive(&m->net, d->iterations, MOST_SWEEPS, m->dt, &m->arrival);
+    m->arrival.descends = !(m->own.chebyshev > 0);
 out:
     if (st != STATUS_OK)
         vb_motion_clear(m);

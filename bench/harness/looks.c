@@ -145,6 +145,26 @@ void looks_reduce_truth(int count, const double *error, const double *bar, doubl
         }
 }
 
+/* Energies below that of this strain all over the sheet are rounding: so are those of a
+ * sheet at rest that nothing moves. */
+static const double ROUNDED_STRAIN = 1e-10;
+
+/* Fills l->drift, zero where all energies are rounding. */
+static void reduce_energy(struct looks *l, const struct scene *s)
+{
+    const double nothing = s->young * s->thickness * s->length * s->width * ROUNDED_STRAIN *
+                           ROUNDED_STRAIN / 2;
+    bool rounded = true;
+
+    metric_energy_drift(l->count, l->energy, l->drift);
+    for (const struct energy *e = l->energy; e < l->energy + l->count; e++)
+        rounded =
+            rounded &&
+            e->kinetic + e->elastic + fabs(e->potential - l->energy->potential) < nothing;
+    for (int n = 0; n < l->count && rounded; n++)
+        l->drift[n] = 0;
+}
+
 void looks_reduce(struct looks *l, const struct scene *scene, enum status outcome,
                   double death_time, const struct counters *work, double *value)
 {
@@ -152,11 +172,13 @@ void looks_reduce(struct looks *l, const struct scene *scene, enum status outcom
     reduce_scene(scene, value);
     looks_reduce_truth(0, NULL, NULL, value);
     value[MEASURE_REFERENCE_ERROR_MAX] = NAN;
-    value[MEASURE_NOT_ARRIVED] = !work || !work->left ? NAN : work->missed ? work->left : 0;
+    value[MEASURE_NOT_ARRIVED] = !work || !work->left ? NAN
+                                 : work->missed       ? work->left
+                                                      : work->astray;
     value[MEASURE_BLOWUP_TIME] = status_is_death(outcome) ? death_time
                                  : outcome == STATUS_OK   ? INFINITY
                                                           : NAN;
-    metric_energy_drift(l->count, l->energy, l->drift);
+    reduce_energy(l, scene);
     value[MEASURE_ENERGY_DRIFT_MAX] = largest(l->count, l->drift);
     value[MEASURE_ENERGY_DRIFT_END] = last(l->count, l->drift);
 }

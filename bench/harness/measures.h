@@ -38,7 +38,8 @@
     X(LOAD_MAX, load_max, "1", "largest share of the weight that obstacles carry")         \
     X(LOAD_END, load_end, "1", "the same, mean over the last tenth of the time")           \
     X(NOT_ARRIVED, not_arrived, "1",                                                       \
-      "largest share of a step's loads that iterations left at their limit; 0: none did")  \
+      "largest share of a step's loads that iterations left at their limit, or where a "   \
+      "chosen number left more than all; 0: none did")                                     \
     X(BLOWUP_TIME, blowup_time, "s", "when the run died")                                  \
     X(END_TIME, end_time, "s", "the last look")                                            \
     X(GAMMA, gamma, "1", "weight against bending, rho g h L^3 / D")                        \

@@ -60,6 +60,7 @@ void arrival_count(const struct arrival *a, struct counters *counters)
 {
     counters->left = a->left;
     counters->missed = a->missed;
+    counters->astray = a->fixed && a->descends && a->left > ARRIVAL_ASTRAY ? a->left : 0;
 }
 
 void arrival_doubt(const struct arrival *a, struct message *line)

@@ -23,11 +23,16 @@
 
 #include "models/model.h"
 
-/* The share of the loads at which a step has arrived. */
-#define ARRIVAL_SHARE 0.01
+/* The share of the loads at which a step has arrived; and the one at which a descent has
+ * gone astray: what it has not brought down is more than all that moves the sheet, which
+ * goes as if under other loads. */
+#define ARRIVAL_SHARE  0.01
+#define ARRIVAL_ASTRAY 1.0
 
 struct arrival {
     bool fixed;       /* the number of iterations was chosen                           */
+    bool descends;    /* each iteration lowers the step's energy; forces of others, as of
+                         ADMM, swing about none, and much that is left may move little  */
     int most;         /* iterations of a step; if they are fixed, of every step        */
     int first;        /* those of a step before its forces are measured                */
     double loads;     /* sum of the loads' lengths                               [N]   */

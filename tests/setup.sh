@@ -107,6 +107,24 @@ if grep -qE '^(GIT_DIR|CDPATH|CMAKE_C_COMPILER_LAUNCHER)=' "$folder/environment"
     echo 'variables of another place are handed on' && ((++failures))
 fi
 
+# A build/ whose launcher is gone, or that was made for another place.
+for stale in "CMAKE_HOME_DIRECTORY:INTERNAL=/elsewhere" "CMAKE_C_COMPILER_LAUNCHER:STRING=nowhere"; do
+    printf '%s\n' "CMAKE_GENERATOR:INTERNAL=Ninja" "$stale" "CMAKE_HOME_DIRECTORY:INTERNAL=$folder" |
+        awk -F: '!seen[$1]++' >"$folder/build/CMakeCache.txt"
+    rm "$folder/asked"
+    run ./check
+    grep -q -- '--preset release .*--fresh' "$folder/asked" ||
+        { echo "not configured afresh with $stale: $(cat "$folder/asked")" && ((++failures)); }
+done
+
+# What takes long says a line a minute in a pipe (here its minutes are short).
+printf '[3/9] building\n' >"$folder/long.log"
+# shellcheck disable=SC2016
+output=$(cd "$folder" && bash -c '. tools/setup.sh; sleep() { :; }; set +o pipefail
+    command sleep 100 & setup_follow $! long.log | head -n 1; kill $!' check 2>&1)
+code=$?
+expect 'a long command' 0 '1 min, 3 of 9'
+
 # A folder's name may have what a shell takes for its own: commands that generate have it, too.
 # shellcheck disable=SC2016 # the name has a dollar sign
 odd=$folder/'a$b (1)'

@@ -200,6 +200,7 @@ static enum status add_own(struct contact *c, const double *x)
             .sample = f->sample,
             .obstacle = -1,
             .D = f->distance,
+            .D_old = c->before[2 * f->sample + f->side],
             .normal = {f->normal[0], f->normal[1], f->normal[2]},
             .at = {f->u, f->v},
             .area = f->strength * c->surface.area[f->sample] / 2};
@@ -284,16 +285,16 @@ static double split(const double way[3], const double n[3], double slip[3])
     return along;
 }
 
-/* Returns the distance of a touch when the step began. A body's is measured, with the
- * normal there (NULL: unwanted): the way along the normal would take a sheet that slides on
- * a ball for one that leaves it. */
+/* Returns the distance of a touch when the step began. It is measured, of a body's with the
+ * normal there (NULL: unwanted): the way along the normal would take what slides on a ball,
+ * or on another layer of a bend, for what leaves it. */
 static double distance_before(const struct contact *c, const struct contact_touch *t,
                               double along, double normal[3])
 {
     double y[3];
 
     if (t->obstacle < 0)
-        return t->D - along;
+        return t->D_old > 0 ? t->D_old : t->D - along;
     if (t->sample < 0) { /* of a feature, as it was found */
         if (normal)
             memcpy(normal, t->normal, sizeof t->normal);
@@ -419,7 +420,7 @@ enum status contact_init(struct contact *c, const struct scene *scene,
                  ROOM(c->x_old, 3 * nodes), ROOM(c->area, nodes),
                  ROOM(c->spare, 4 * samples), ROOM(c->near, samples),
                  ROOM(c->pressed, nodes), ROOM(c->meeting, samples),
-                 ROOM(c->foretold, 2 * samples)));
+                 ROOM(c->foretold, 2 * samples), ROOM(c->before, 2 * samples)));
     for (int n = 0; n < s->count; n++)
         for (int k = n * s->width; k < n * s->width + s->used[n]; k++)
             c->area[s->node[k]] += s->shape[k] * s->area[n];
@@ -460,7 +461,8 @@ void contact_begin(struct contact *c, double t, double dt, const double *x_old)
 
     count_crossing(c, t, x_old);
     c->dt = dt, c->rests = c->held = c->released = c->middle = false;
-    c->bounds = 0;
+    c->bounds = 0, c->measured = false;
+    memset(c->before, 0, 2 * (size_t)c->surface.count * sizeof *c->before);
     c->least_change = INFINITY, c->waited = 0;
     c->count = c->weights = 0;
     memset(c->foretold, 0, 2 * (size_t)c->surface.count * sizeof *c->foretold);
@@ -608,6 +610,19 @@ out:
     return st;
 }
 
+/* Measures how far samples are from other places of the sheet where the step begins. */
+static enum status measure_before(struct contact *c)
+{
+    const struct contact_search *s = &c->search;
+    enum status st = contact_search_find(&c->search, c->x_old);
+
+    for (const struct contact_foot *f = s->foot; st == STATUS_OK && f < s->foot + s->count;
+         f++)
+        c->before[2 * f->sample + f->side] = f->distance;
+    c->measured = true;
+    return st;
+}
+
 enum status contact_find(struct contact *c, const double *x)
 {
     enum status st = c->failed;
@@ -615,6 +630,8 @@ enum status contact_find(struct contact *c, const double *x)
     c->failed = STATUS_OK;
     clear_totals(c);
     TRY(st);
+    if (c->scene->contact.self && isfinite(c->dt) && !c->measured)
+        TRY(measure_before(c));
     for (int n = 0; c->held && n < c->count; n++)
         c->touch[n].D = distance_now(c, &c->touch[n], x);
     TRY(list_touches(c, x));

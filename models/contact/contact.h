@@ -24,15 +24,16 @@
 #include "models/model.h"
 
 struct contact_touch {
-    int sample, obstacle; /* obstacle -1: the sheet itself; sample -1: a rim's point, or a
-                             place that meets a body's feature (contact_thin.h)         */
-    int first, count;     /* its nodes and weights in contact's lists                  */
-    double D, normal[3];  /* distance [m]; the gradient of D by the sample's place     */
-    bool mean;            /* the normal is the mean one of the step                    */
-    double at[2];         /* u and v of the sheet's own place, where a sample meets it */
-    double bound;         /* the push that bounds friction                   [N]     */
-    double D_old, D_flat; /* when the step began; D less its way along the normal  [m]   */
-    double area;          /* [m^2]                                                     */
+    int sample, obstacle;   /* obstacle -1: the sheet itself; sample -1: a rim's point, or a
+                               place that meets a body's feature (contact_thin.h)         */
+    int first, count;       /* its nodes and weights in contact's lists                  */
+    double D, normal[3];    /* distance [m]; the gradient of D by the sample's place     */
+    bool mean;              /* the normal is the mean one of the step                    */
+    double at[2];           /* u and v of the sheet's own place, where a sample meets it */
+    double bound;           /* the push that bounds friction                   [N]     */
+    double D_old, D_flat;   /* when the step began, 0: not known; D less its way along the
+                               normal                                               [m]   */
+    double area;            /* [m^2]                                                     */
     double push, stiffness; /* area times pressure [N] and its slope [N/m]             */
     double rub[3];          /* friction's force                                [N]     */
     double drag;            /* its force over the slip                         [N/m]   */
@@ -62,9 +63,12 @@ struct contact {
     int waited;          /* changes since                                               */
     int listed[2];       /* touches and meetings then                                    */
     bool rests;          /* the pressure has no rate, only friction                      */
-    bool middle;   /* bodies press along the step's mean normal, not that of its end */
-    double *x_old; /* [nodes][3] where it starts                                   */
-    double *area;  /* [nodes] their shares of the samples'       [m^2]              */
+    bool middle;    /* bodies press along the step's mean normal, not that of its end */
+    double *x_old;  /* [nodes][3] where it starts                                   */
+    double *area;   /* [nodes] their shares of the samples'       [m^2]              */
+    bool measured;  /* contact_find has filled `before` in this step                    */
+    double *before; /* [samples][2] distances from the sheet above and below when the
+                       step began; 0: none is within reach, or known            [m]    */
     double (*foretold)[3]; /* [samples][2] of the touches with bodies, the sheet itself */
     int count, room; /* touches; of the last contact_find or contact_project         */
     struct contact_touch *touch; /*                            owned     */

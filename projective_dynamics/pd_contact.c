@@ -43,8 +43,7 @@ enum status pd_contact_init(struct pd_contact *c, const struct scene *scene,
                  ROOM(c->compliance, nodes)));
     TRY(mesh_contact(mesh, scene, &surface));
     TRY(contact_init(&c->law, scene, &surface));
-    /* Triangles that meet a feature share nodes: where two press, `settle`, which gives
-     * each its force by itself, throws the nodes through the body, and changes grow. */
+    c->features = c->law.thin.count;
     c->law.thin.count = 0;
     return STATUS_OK;
 out:
@@ -82,7 +81,26 @@ void pd_contact_begin(struct pd_contact *c, double t, double dt, const double *s
 {
     c->begun = false;
     interleave(c->system->net, start, c->at);
+    c->law.thin.count = c->features; /* that have come through the sheet are counted */
     contact_begin(&c->law, t, dt, c->at);
+    c->law.thin.count = 0;
+}
+
+enum status pd_contact_end(struct pd_contact *c, double factor, double *x, double force[3])
+{
+    enum status st;
+    const double areal = c->law.scene->density * c->law.scene->thickness;
+
+    interleave(c->system->net, x, c->at);
+    for (int k = 0; k < c->system->net->nodes; k++)
+        c->compliance[k] = factor / (areal * c->law.area[k]);
+    c->law.thin.count = c->features;
+    TRY(contact_project_features(&c->law, c->compliance, c->free_index, c->at));
+    memcpy(force, c->law.force, sizeof c->law.force);
+    separate(c->system->net, c->at, x);
+out:
+    c->law.thin.count = 0;
+    return st;
 }
 
 /* --- rows --------------------------------------------------------------------------------

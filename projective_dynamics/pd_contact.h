@@ -15,6 +15,11 @@
  * the others those of this change; on the way there nodes leave a tenth of their distance
  * to a wall. Where a body has moved over the sheet, the step's first change begins so, too.
  *
+ * The features of bodies that are thinner than the net are met where the step has ended, as
+ * by position_based: triangles that meet one share nodes, so that what each of them does by
+ * itself throws the nodes through the body, and what is cut short of its change at every
+ * touch stalls.
+ *
  * No loop goes to its end: the next iteration of projective dynamics goes on where they
  * stopped. Where the iterations end, a step of implicit Euler has the forces of the law
  * (tests/projective_dynamics/projective_dynamics_contact.c). Beside this, Bouaziz et al.
@@ -31,6 +36,8 @@ struct pd_contact {
     struct contact law;
     struct pd_system *system; /* NULL: nothing to meet                       borrowed  */
     const int *free_index;    /* [nodes][3] negative: held                   borrowed  */
+    int features;             /* of thin bodies, which contact_thin.h's list has at the end
+                                 of a step only                                        */
     double factor;            /* of forces, in the present global step       [s^2]     */
     bool begun;               /* the touches are those at `at`                         */
     void *room;               /* memory of the next seven                     owned     */
@@ -59,6 +66,10 @@ void pd_contact_begin(struct pd_contact *c, double t, double dt, const double *s
 /* Moves x, three fields, from the free result of a global step to where contact takes it.
  * factor: s^2, times the weight by which the result was overshot. */
 enum status pd_contact_apply(struct pd_contact *c, double factor, double *x);
+
+/* Ends a step at x, three fields, outside of what is thinner than the net; force[3]: on the
+ * sheet, by that. factor: the move of a unit of mass by a unit of force. */
+enum status pd_contact_end(struct pd_contact *c, double factor, double *x, double force[3]);
 
 /* Finds touches and forces at x, three fields. */
 enum status pd_contact_find(struct pd_contact *c, const double *x);

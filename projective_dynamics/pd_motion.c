@@ -418,10 +418,14 @@ out:
 static enum status add_push(struct pd_motion *m)
 {
     enum status st;
+    const double factor = m->span * m->span / (1 + m->alpha * m->span);
+    double force[3] = {0};
 
+    if (m->contact.features)
+        TRY(pd_contact_end(&m->contact, factor, m->x, force));
     TRY(pd_contact_find(&m->contact, m->x));
     for (int c = 0; c < 3; c++)
-        m->push[c] += m->contact.law.force[c] / m->options.substeps;
+        m->push[c] += (m->contact.law.force[c] + force[c]) / m->options.substeps;
 out:
     return st;
 }

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/contact/contact_limit.h"
 #include "models/room.h"
 #include "models/vector.h"
 
@@ -754,56 +755,41 @@ void contact_report(const struct contact *c, struct model_contact *report)
 /* --- steps that stay outside ---------------------------------------------------------
  */
 
-/* The x of the law that one change leaves to what comes from farther off, and the share of
- * their x that it leaves to others: the pressure grows little more than fourfold in a
- * change, and Newton's method, which knows its slope only, is not thrown back far. */
-static const double LEFT = 0.5;
+/* A sample at y that a change moves by d, and a body. */
+struct approach {
+    const struct contact *c;
+    int sample, obstacle;
+    const double *y, *d;
+};
 
-/* Returns a bound of the least distance on a way whose ends have these distances and
- * slopes: distances to convex bodies lie over their tangents. */
-static double lowest(const double distance[2], const double slope[2])
+static double distance_over(void *self, double share, double *slope)
 {
-    if (slope[0] >= 0 || slope[1] <= 0)
-        return fmin(distance[0], distance[1]);
-    const double at = (distance[0] - distance[1] + slope[1]) / (slope[1] - slope[0]);
-    return distance[0] + slope[0] * at;
+    const struct approach *a = self;
+    const struct scene_obstacle *o = &a->c->scene->obstacles[a->obstacle];
+    double end[3], normal[3];
+
+    for (int i = 0; i < 3; i++)
+        end[i] = a->y[i] + share * a->d[i];
+    double D = contact_shape_distance(o, &a->c->pose[a->obstacle], end, normal);
+    if (share == 0 && !is_still(o)) /* what a body came over may come back */
+        D = distance_met(a->c, a->sample, a->obstacle, end, D, normal);
+    *slope = vector_dot(normal, a->d);
+    return D - (a->c->body.start - a->c->body.range);
 }
 
 /* Returns the share of the change d of a sample at y that leaves enough before a body. The
- * distance is no more than the way shorter, so that the first share is safe; steps towards
- * the end of a longer one are tried while they are. */
+ * distance is no more than the way shorter, so that most are done with at once. */
 static double limit_sample(const struct contact *c, int sample, int obstacle,
                            const double y[3], const double d[3], double share)
 {
-    enum { TRIES = 60 };
-    static const double SHORTER = 0.95;
-    const struct scene_obstacle *o = &c->scene->obstacles[obstacle];
-    const double wall = c->body.start - c->body.range, way = vector_length(d);
-    const double far = wall + way * share + LEFT * c->body.range;
+    struct approach a = {c, sample, obstacle, y, d};
+    const double enough = c->body.start + share * vector_length(d);
     double normal[3];
-    double room = contact_shape_near(o, &c->pose[obstacle], y, far, normal);
 
-    if (!is_still(o)) /* what is behind a body that came over it may come back */
-        room = distance_met(c, sample, obstacle, y, room, normal);
-    room -= wall;
-    if (!(room > 0) || room - way * share >= LEFT * c->body.range)
+    if (contact_shape_near(&c->scene->obstacles[obstacle], &c->pose[obstacle], y, enough,
+                           normal) >= enough)
         return share;
-    const double least = LEFT * fmin(room, c->body.range);
-    if (room - way * share >= least)
-        return share;
-    const double slope = vector_dot(normal, d);
-    for (int n = 0; n < TRIES; n++) {
-        double end[3];
-        for (int i = 0; i < 3; i++)
-            end[i] = y[i] + share * d[i];
-        double left = contact_shape_distance(o, &c->pose[obstacle], end, normal) - wall;
-        left = lowest((double[2]){room, left},
-                      (double[2]){share * slope, share * vector_dot(normal, d)});
-        if (left >= least)
-            break;
-        share *= fmin((room - least) / (room - left), SHORTER);
-    }
-    return share;
+    return contact_limit_share(&a, distance_over, c->body.range, share);
 }
 
 /* Notes the friction that the tangent foretells a change d for (contact_grip). */
@@ -1151,12 +1137,12 @@ out:
  * from below. */
 enum { ROUNDS = 32 };
 
-/* Adds the touches with bodies, and ends all. */
-static enum status project_bodies(struct contact *c, const double *compliance,
+/* Adds the touches of `near` listed samples with bodies, and of features, and ends all. */
+static enum status project_bodies(struct contact *c, int near, const double *compliance,
                                   const int *held, double *x)
 {
     enum status st = STATUS_OK;
-    const int near = list_near(c, x), own = c->count;
+    const int own = c->count;
 
     for (int o = 0; o < c->scene->obstacle_count; o++)
         TRY(meet_body(c, o, near, compliance, held, x));
@@ -1177,7 +1163,15 @@ enum status contact_project_bodies(struct contact *c, const double *compliance,
 {
     clear_totals(c);
     c->count = c->weights = 0;
-    return project_bodies(c, compliance, held, x);
+    return project_bodies(c, list_near(c, x), compliance, held, x);
+}
+
+enum status contact_project_features(struct contact *c, const double *compliance,
+                                     const int *held, double *x)
+{
+    clear_totals(c);
+    c->count = c->weights = 0;
+    return project_bodies(c, 0, compliance, held, x);
 }
 
 enum status contact_project(struct contact *c, const double *compliance, const int *held,
@@ -1191,7 +1185,7 @@ enum status contact_project(struct contact *c, const double *compliance, const i
     for (int n = 0; n < c->count; n++)
         look_back(c, &c->touch[n], x);
     settle(c, 0, compliance, held, x);
-    TRY(project_bodies(c, compliance, held, x));
+    TRY(project_bodies(c, list_near(c, x), compliance, held, x));
 out:
     return st;
 }

@@ -166,6 +166,10 @@ enum status contact_project(struct contact *c, const double *compliance, const i
 enum status contact_project_bodies(struct contact *c, const double *compliance,
                                    const int *held, double *x);
 
+/* Does so for the features of thin bodies alone. */
+enum status contact_project_features(struct contact *c, const double *compliance,
+                                     const int *held, double *x);
+
 /* Computes change[nodes][3], which takes from v[nodes][3], the velocity at x after
  * contact_find at the end of a step of the trapezoidal rule, the bounce that is the rule's:
  * it ends with twice the mean velocity less that of its start, so that it throws back what

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "models/contact/contact_foot.h"
+#include "models/contact/contact_limit.h"
 #include "models/contact/contact_mesh.h"
 #include "models/room.h"
 #include "models/vector.h"
@@ -480,46 +481,42 @@ enum status contact_thin_near(struct contact_thin *t, const struct scene_placeme
     return list_pairs(t);
 }
 
-/* Returns the distance of a pair's feature from the triangle after a share of the change.
- */
-static double distance_after(struct contact_thin *t, const struct contact_thin_pair *p,
-                             const double *x, const double *d, double share)
-{
-    struct corners c = corners_at(t, p->triangle, share);
-    const int count = find_place(t, p->triangle, &c, t->q[p->feature]);
-    double at[3], by[3];
+/* A pair on the way of a change, and the distance of which half is left. */
+struct approach {
+    struct contact_thin *t;
+    const struct contact_thin_pair *pair;
+    const double *x, *d;
+    double floor;
+};
 
-    sum_up(t, count, x, at);
-    sum_up(t, count, d, by);
+static double distance_over(void *self, double share, double *slope)
+{
+    const struct approach *a = self;
+    struct contact_thin *t = a->t;
+    const double *q = t->q[a->pair->feature];
+    struct corners c = corners_at(t, a->pair->triangle, share);
+    const int count = find_place(t, a->pair->triangle, &c, q);
+    double at[3], by[3], way[3];
+
+    sum_up(t, count, a->x, at);
+    sum_up(t, count, a->d, by);
     for (int i = 0; i < 3; i++)
-        at[i] += share * by[i];
-    return vector_distance(t->q[p->feature], at);
+        way[i] = at[i] + share * by[i] - q[i];
+    const double distance = vector_length(way);
+    *slope = vector_dot(way, by) / distance;
+    return distance - a->floor;
 }
 
 double contact_thin_limit(struct contact_thin *t, int n, const double *x, const double *d,
                           double wall, double range, double share, int samples[3])
 {
-    static const double LEFT = 0.5, SETTLED = 0.01;
-    enum { TURNS = 16 };
-    const struct contact_thin_pair *p = &t->pair[n];
-    const double radius = t->feature[p->feature].radius;
-    double motion = 0, at = 0;
+    struct approach a = {t, &t->pair[n], x, d, 0};
+    const double over = t->feature[a.pair->feature].radius + wall;
+    double slope;
 
-    contact_foot_corners(t->surface, p->triangle, samples);
-    if (t->passed[p->feature]) /* it has to come back */
+    contact_foot_corners(t->surface, a.pair->triangle, samples);
+    if (t->passed[a.pair->feature]) /* it has to come back */
         return share;
-    for (int k = 0; k < 3; k++)
-        motion = fmax(motion,
-                      vector_distance(t->y_old + 3L * samples[k], t->y + 3L * samples[k]));
-    const double distance = distance_after(t, p, x, d, 0);
-    const double floor = distance > radius + wall ? radius + wall : 0;
-    const double clear = distance - floor, kept = LEFT * fmin(clear, range);
-    double left = clear - kept;
-    for (int turn = 0; turn < TURNS && left > SETTLED * clear; turn++) {
-        at += left / motion;
-        if (!(at < share)) /* also of no motion */
-            return share;
-        left = distance_after(t, p, x, d, at) - floor - kept;
-    }
-    return at;
+    a.floor = distance_over(&a, 0, &slope) > over ? over : 0;
+    return contact_limit_share(&a, distance_over, range, share);
 }

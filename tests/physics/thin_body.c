@@ -22,6 +22,9 @@ static const struct {
 } row[] = {
     {"position_based", 10, "[11,11]"},
     {"position_based", 20, "[21,21]"},
+    {"projective_dynamics", 10, "[11,11]"},
+    {"projective_dynamics_bdf2", 10, "[11,11]"},
+    {"projective_dynamics_bdf2", 20, "[21,21]"},
     {"vbd", 10, "[11,11]"},
     {"vbd", 20, "[21,21]"},
     {"mass_spring_leapfrog", 10, "[11,11]"},
@@ -94,6 +97,7 @@ int main(int argc, char **argv)
             check_row(row[n].contestant, row[n].spans, row[n].points);
     if (argc < 2) {
         check_sharp("position_based", 10, "[11,11]");
+        check_sharp("projective_dynamics", 10, "[11,11]");
         check_sharp("vbd", 10, "[11,11]");
         check_sharp("triangles", 10, "[11,11]");
         check_sharp("shell", 3, "[6,6]");

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/contact/contact_hold.h"
 #include "models/contact/contact_limit.h"
 #include "models/room.h"
 #include "models/vector.h"
@@ -487,16 +488,17 @@ static void press(struct contact *c, struct contact_touch *t, const double *x)
     const double mu = friction_of(c, t);
     double way[3], slip[3], before[3];
 
+    way_of(c, t, x, way);
+    t->D_flat = t->D - vector_dot(way, t->normal);
     if (!isfinite(c->dt)) {
         t->push = t->area * contact_law_pressure(law, t->D, &t->stiffness);
         t->stiffness *= t->area;
         return;
     }
-    way_of(c, t, x, way);
     const double D_old = distance_before(c, t, vector_dot(way, t->normal), before);
     if (c->middle && t->obstacle >= 0 && !t->mean)
         take_mean(law, D_old, before, t);
-    split(way, t->normal, slip);
+    t->D_old = D_old, t->D_flat = t->D - split(way, t->normal, slip);
     t->push = t->area * contact_law_push(law, t->D, D_old, c->rests ? INFINITY : c->dt,
                                          &t->stiffness);
     t->stiffness *= t->area;
@@ -534,47 +536,6 @@ static double distance_now(const struct contact *c, const struct contact_touch *
     return t->D_flat + vector_dot(way, t->normal);
 }
 
-/* Notes where a touch that was found at x was when the step began. */
-static void look_back(const struct contact *c, struct contact_touch *t, const double *x)
-{
-    double way[3];
-
-    way_of(c, t, x, way);
-    const double along = vector_dot(way, t->normal);
-    t->D_old = distance_before(c, t, along, NULL);
-    t->D_flat = t->D - along;
-}
-
-/* Touches are held once so many changes in a row have not halved the least before them, of
- * a sheet that touches itself, whose feet may jump, or only bodies: what converges by
- * itself, as sliding over a rod does, is to do so. */
-enum { JUMPING = 5, SLIDING = 16 };
-
-/* A step's held touches are found anew, or take their pushes for what bounds their
- * friction, while these differ by more than this share. */
-static const double ALIKE = 1e-2;
-
-/* So often in a step, which what slides over a rod does not need (capstan); two nets of
- * springs over a rod that is thinner than a cell died without an end of it. */
-enum { BOUNDS = 10 };
-
-/* Tells whether a held touch is that of a sample with a body; *at: a body's touch before or
- * at it, of touches that are ascending up to listed[0]. */
-static bool is_held(const struct contact *c, int sample, int obstacle, int *at)
-{
-    const struct contact_touch *t = c->touch;
-
-    while (*at < c->listed[0] && t[*at].obstacle >= 0 && t[*at].sample < sample)
-        ++*at;
-    for (int n = *at; n < c->listed[0] && t[n].obstacle >= 0 && t[n].sample == sample; n++)
-        if (t[n].obstacle == obstacle)
-            return true;
-    for (int n = c->listed[0]; n < c->count; n++)
-        if (t[n].sample == sample && t[n].obstacle == obstacle)
-            return true;
-    return false;
-}
-
 /* Lists the touches at x; adds those that are new to held ones. */
 static enum status list_touches(struct contact *c, const double *x)
 {
@@ -583,7 +544,6 @@ static enum status list_touches(struct contact *c, const double *x)
 
     if (!c->held)
         c->count = c->weights = 0;
-    const int old = c->count;
     for (int n = 0; n < c->surface.count; n++) {
         double y[3], normal[3];
         contact_surface_at(&c->surface, n, x, y);
@@ -595,7 +555,7 @@ static enum status list_touches(struct contact *c, const double *x)
                 D = distance_met(c, n, o, y, D, normal);
             if (D - c->body.start < c->least)
                 c->least = D - c->body.start;
-            if (D < c->body.start && !(c->held && is_held(c, n, o, &at)))
+            if (D < c->body.start && !(c->held && contact_hold_has(c, n, o, &at)))
                 TRY(add_body(c, n, o, D, normal));
         }
     }
@@ -605,8 +565,6 @@ static enum status list_touches(struct contact *c, const double *x)
     }
     TRY(add_meetings(c, c->listed[1], x));
     c->listed[1] = c->meetings;
-    for (int n = old; n < c->count; n++)
-        look_back(c, &c->touch[n], x);
 out:
     return st;
 }
@@ -642,40 +600,6 @@ enum status contact_find(struct contact *c, const double *x)
     }
 out:
     return st;
-}
-
-void contact_hold(struct contact *c, const double *x, double size)
-{
-    const bool less = size < c->least_change / 2;
-    bool own = false;
-
-    c->waited = less ? 0 : c->waited + 1;
-    c->least_change = less ? size : c->least_change;
-    for (int n = c->count - 1; n >= 0 && !own; n--)
-        own = c->touch[n].obstacle < 0;
-    if (c->held || (!c->released && c->waited <= (own ? JUMPING : SLIDING)))
-        return;
-    for (struct contact_touch *t = c->touch; t < c->touch + c->count; t++)
-        look_back(c, t, x);
-    c->held = true, c->listed[0] = c->count, c->listed[1] = c->meetings;
-}
-
-bool contact_release(struct contact *c, bool again)
-{
-    double off = 0, all = 0;
-
-    if (!c->held)
-        return false;
-    for (const struct contact_touch *t = c->touch; t < c->touch + c->count; t++)
-        off += fabs(t->push - t->bound), all += t->push;
-    if (c->released && (off <= ALIKE * all || c->bounds == BOUNDS))
-        return false;
-    for (struct contact_touch *t = c->touch; t < c->touch + c->count; t++)
-        t->bound = t->push;
-    c->held = c->released && !again;
-    c->bounds += c->held;
-    c->released = true;
-    return true;
 }
 
 void contact_grip(const struct contact_touch *t, double K[9])
@@ -927,6 +851,17 @@ bool contact_shorten(struct contact *c, const double *x, double *d)
 
 /* --- the end of a step ---------------------------------------------------------------
  */
+
+/* Notes where a touch that was found at x was when the step began. */
+static void look_back(const struct contact *c, struct contact_touch *t, const double *x)
+{
+    double way[3];
+
+    way_of(c, t, x, way);
+    const double along = vector_dot(way, t->normal);
+    t->D_old = distance_before(c, t, along, NULL);
+    t->D_flat = t->D - along;
+}
 
 /* Returns how far the touch opens along n by a unit of force along n [m/N], by itself or if
  * those around it have the same pressure. */

@@ -107,20 +107,6 @@ void contact_begin_rest(struct contact *c, double t, double dt, const double *x_
  * STATUS_MEMORY. */
 enum status contact_find(struct contact *c, const double *x);
 
-/* Takes the size [m] of the next change of Newton's method, from x, and holds the touches
- * that contact_find found there if such changes do not shrink. Until the step ends, or
- * `held` is false, each keeps its places, its normal and what bounds its friction, and new
- * ones are added. What is left then has a solution and, but for the pressure's rate, a
- * convex potential, while feet and normals of a folded net may jump, back and forth,
- * between two states that are none. */
-void contact_hold(struct contact *c, const double *x, double size);
-
-/* Goes on from what held touches led to, x. The first time, and `again`, they are let go,
- * so that contact_find finds them anew; else they stay held, since feet may jump for ever,
- * and take their push at x for what bounds their friction. False: none are held, or what
- * they led to is to be taken, since push and bound are alike. */
-bool contact_release(struct contact *c, bool again);
-
 /* Returns the work that bodies that move did in the step to x[nodes][3] [J]. */
 double contact_body_work(const struct contact *c, const double *x);
 

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "models/contact/contact_hold.h"
 #include "models/mechanics/contact_share.h"
 #include "models/mechanics/newton.h"
 
@@ -308,7 +309,7 @@ static enum newton_verdict judge(struct newton *n)
     struct march *m = e->m;
 
     if (m->contact && (!n->kept || m->contact->released))
-        contact_hold(m->contact, n->x, n->size);
+        contact_hold(m->contact, n->size);
     const bool calm =
         left(n) <= tolerance(m, e->q) && n->whole && settled(m, n->size, n->before);
     const bool anew =

@@ -1,0 +1,63 @@
+#include "models/contact/contact_hold.h"
+
+#include <math.h>
+
+/* Touches are held once so many changes in a row have not halved the least before them, of
+ * a sheet that touches itself, whose feet may jump, or only bodies: what converges by
+ * itself, as sliding over a rod does, is to do so. */
+enum { JUMPING = 5, SLIDING = 16 };
+
+/* A step's held touches are found anew, or take their pushes for what bounds their
+ * friction, while these differ by more than this share. */
+static const double ALIKE = 1e-2;
+
+/* So often in a step, which what slides over a rod does not need (capstan); two nets of
+ * springs over a rod that is thinner than a cell died without an end of it. */
+enum { BOUNDS = 10 };
+
+bool contact_hold_has(const struct contact *c, int sample, int obstacle, int *at)
+{
+    const struct contact_touch *t = c->touch;
+
+    while (*at < c->listed[0] && t[*at].obstacle >= 0 && t[*at].sample < sample)
+        ++*at;
+    for (int n = *at; n < c->listed[0] && t[n].obstacle >= 0 && t[n].sample == sample; n++)
+        if (t[n].obstacle == obstacle)
+            return true;
+    for (int n = c->listed[0]; n < c->count; n++)
+        if (t[n].sample == sample && t[n].obstacle == obstacle)
+            return true;
+    return false;
+}
+
+void contact_hold(struct contact *c, double size)
+{
+    const bool less = size < c->least_change / 2;
+    bool own = false;
+
+    c->waited = less ? 0 : c->waited + 1;
+    c->least_change = less ? size : c->least_change;
+    for (int n = c->count - 1; n >= 0 && !own; n--)
+        own = c->touch[n].obstacle < 0;
+    if (c->held || (!c->released && c->waited <= (own ? JUMPING : SLIDING)))
+        return;
+    c->held = true, c->listed[0] = c->count, c->listed[1] = c->meetings;
+}
+
+bool contact_release(struct contact *c, bool again)
+{
+    double off = 0, all = 0;
+
+    if (!c->held)
+        return false;
+    for (const struct contact_touch *t = c->touch; t < c->touch + c->count; t++)
+        off += fabs(t->push - t->bound), all += t->push;
+    if (c->released && (off <= ALIKE * all || c->bounds == BOUNDS))
+        return false;
+    for (struct contact_touch *t = c->touch; t < c->touch + c->count; t++)
+        t->bound = t->push;
+    c->held = c->released && !again;
+    c->bounds += c->held;
+    c->released = true;
+    return true;
+}

@@ -750,6 +750,17 @@ QUICK(folded_knots, "knots that fold back", REST, THICK("1e-2"),
       KNOTS("[0,0,0,0.2,0.1,0.4,0.3,0.6,0.8,0.8,1,1,1]"));
 CASE(skewed_weights, "weights 1 and 10", REST, THICK("1e-2"), .weight_ratio = 10);
 
+/* Meshes, for nets that know them. */
+#define MESHED(mesh, points)                                                               \
+    .numerics = {"discretization.mesh=" mesh, "discretization.points=" points}
+CASE(slivers, "a mesh of triangles 100 times as long as wide", REST, THICK("1e-2"),
+     MESHED("diagonal", "[201,3]"));
+CASE(two_triangles, "a mesh of two triangles", REST, THICK("1e-2"),
+     MESHED("diagonal", "[2,2]"));
+CASE(many_triangles, "an irregular mesh of 200,000 triangles", STILL,
+     MESHED("irregular", "[318,318]"),
+     .physics = {"gravity=[0,0,0]", "time={step: 0.005, end: 0.01}"});
+
 /* Weight against bending, from a card to fabrics of 1 m. */
 #define SLOW                                                                               \
     .physics = {"sheet.thickness=1e-3", "material.poisson=0",                              \
@@ -907,13 +918,14 @@ CASE(flat_triangle, "one of them with its corners on a line", TOUCH, ONTO_NEEDLE
 #define CASES(X)                                                                           \
     X(thin_2), X(thin_3), X(thin_4), X(thin_5), X(poisson_0), X(poisson_049),              \
         X(poisson_04999), X(narrow), X(wide), X(one_element), X(graded_knots),             \
-        X(repeated_knots), X(torn_knots), X(folded_knots), X(skewed_weights), X(gamma_8),  \
-        X(gamma_1000), X(gamma_100000), X(step_small), X(step_large), X(millimetres),      \
-        X(inches), X(soft), X(stiff), X(swing_10000), X(violent_drop), X(spinning_bar),    \
-        X(buckling), X(still), X(rest_start), X(thrown), X(two_corners), X(touching),      \
-        X(overlapping), X(coplanar), X(closing), X(crushed), X(stopping), X(struck),       \
-        X(thrown_at_ball), X(pressed_fold), X(thick_contact), X(friction_0),               \
-        X(friction_5), X(needles), X(flat_triangle)
+        X(repeated_knots), X(torn_knots), X(folded_knots), X(skewed_weights), X(slivers),  \
+        X(two_triangles), X(many_triangles), X(gamma_8), X(gamma_1000), X(gamma_100000),   \
+        X(step_small), X(step_large), X(millimetres), X(inches), X(soft), X(stiff),        \
+        X(swing_10000), X(violent_drop), X(spinning_bar), X(buckling), X(still),           \
+        X(rest_start), X(thrown), X(two_corners), X(touching), X(overlapping),             \
+        X(coplanar), X(closing), X(crushed), X(stopping), X(struck), X(thrown_at_ball),    \
+        X(pressed_fold), X(thick_contact), X(friction_0), X(friction_5), X(needles),       \
+        X(flat_triangle)
 
 #define CHECK_OF(name) &name.check
 const struct verify_check *const stress_checks[] = {CASES(CHECK_OF), NULL};

@@ -7,8 +7,8 @@
  *   build-fuzz/tests/fuzz_scene -dict=tests/fuzz_scene.dict -max_len=4096 \
  *       -max_total_time=600 corpus
  *
- * and likewise fuzz_plan, fuzz_store and fuzz_frames with their own corpus and dictionary, and
- * fuzz_mesh with its corpus.
+ * and likewise fuzz_plan, fuzz_store and fuzz_frames with their own corpus and dictionary,
+ * and fuzz_mesh with its corpus.
  */
 #ifndef FUZZ_H
 #define FUZZ_H

@@ -38,4 +38,42 @@ fine=$(error corners_patch 21 1e-4 1 0 0 -9.81 0.3)
 # the sheet does not.
 hung=$(error hanging 11 1e-4 20 0 0 -9.81 1.5)
 [ "$hung" -lt 700 ] || fail "hanging is $hung millionths off"
+
+# An irregular mesh of one's own: the alternate diagonals of N points a side, each moved by up to a
+# quarter of a cell. Its springs and hinges, edge by edge, hold the sheet within some hundredths.
+mesh() { # N
+    awk -v n="$1" 'BEGIN {
+        for (k = 0; k < n * n; k++) {
+            i = int(k / n); j = k % n; s = (s * 1103 + 12345) % 65536; t = (t * 887 + 777) % 65536
+            u = i + (i > 0 && i < n - 1 ? s / 131072 - .25 : 0)
+            v = j + (j > 0 && j < n - 1 ? t / 131072 - .25 : 0)
+            printf "v %.9g %.9g 0\n", u / (n - 1), v / (n - 1)
+        }
+        for (i = 0; i < n - 1; i++)
+            for (j = 0; j < n - 1; j++) {
+                p = i * n + j + 1; q = p + n
+                print (i + j) % 2 ? "f " p " " q " " p + 1 "\nf " q " " q + 1 " " p + 1 \
+                                  : "f " p " " q " " q + 1 "\nf " p " " q + 1 " " p + 1
+            }
+    }'
+}
+own() { # SCENE N STEP DAMPING TIME: prints the error of one's own mesh, as error does
+    mesh "$2" >"$2.obj"
+    "$program" export "$1" --out "$1-own-$2" --mesh "$2.obj" 2>err || fail "$1: $(<err)"
+    "$engine" "$1-own-$2" 0 "$3" "$4" 0 0 -9.81 "$5" >frames.csv
+    "$program" score "$1-own-$2/scene.yaml" frames.csv --rest "$1-own-$2/rest.obj" --format csv |
+        awk -F, -v scene="$1" '$1 == scene { e = $3 } END { printf "%.0f\n", 1e6 * e }'
+}
+rest=$(own rest_small 11 5e-5 20 1.5)
+echo "rest_small on a mesh of one's own: $rest millionths"
+[ "$rest" -lt 15000 ] || fail "rest_small on a mesh of one's own is $rest millionths off"
+coarse=$(own edge_drop 11 1e-4 0 0.3)
+fine=$(own edge_drop 21 5e-5 0 0.3)
+echo "edge_drop: $coarse, $fine"
+[ $((10 * fine)) -lt $((7 * coarse)) ] ||
+    fail "edge_drop on a mesh of one's own: $coarse millionths, on a finer one $fine"
+# a support whose edge has no vertices is told
+mesh 8 >8.obj
+"$program" export corners_patch --out warned --mesh 8.obj 2>err || fail "export: $(<err)"
+grep -q 'has no vertices along its edge' err || fail "no warning: $(<err)"
 [ "$failures" -eq 0 ]

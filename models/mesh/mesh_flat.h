@@ -41,8 +41,9 @@ enum status mesh_flat_refine(struct mesh_flat *flat);
 
 /* Reads a Wavefront OBJ file: lines `v x y z`, `vt u v` and `f a b c ...`, a may go on as
  * in a/b/c; other lines are skipped. The plane is u times the length and v times the width
- * of the sheet, where faces name vt, else x and y in metres. It must be the whole
- * rectangle. STATUS_INPUT with a sentence `path:line: ...` or `path: ...`. */
+ * of the sheet, where faces name vt, else x and y in metres. Points are those that faces
+ * name, in the file's order; triangles the file's. It must be the whole rectangle.
+ * STATUS_INPUT with a sentence `path:line: ...` or `path: ...`. */
 enum status mesh_flat_read(struct mesh_flat *flat, const struct scene *scene,
                            const char *path, struct message *why);
 

@@ -51,10 +51,8 @@ static enum status add_corner(struct reading *r, struct mesh_flat *flat, int *no
             "the point at %g, %g m is not on the sheet of %g by %g m; vt from 0 to 1, or x "
             "and y in metres from a corner, would be right",
             at[0], at[1], r->scene->length, r->scene->width);
-    if (node[corner->v] < 0) {
-        memcpy(flat->at[flat->nodes], at, sizeof at);
-        node[corner->v] = flat->nodes++;
-    }
+    if (isnan(flat->at[node[corner->v]][0]))
+        memcpy(flat->at[node[corner->v]], at, sizeof at);
     *into = node[corner->v];
     const double *known = flat->at[*into];
     if (fabs(known[0] - at[0]) > NEAR * r->scene->length ||
@@ -171,6 +169,11 @@ static enum status make(struct reading *r, struct mesh_flat *flat, struct messag
         goto out;
     for (int n = 0; n < r->obj.vertices; n++)
         node[n] = -1;
+    for (int n = 0; n < r->obj.corners; n++)
+        node[r->obj.corner[n].v] = 0;
+    for (int n = 0; n < r->obj.vertices; n++) /* those of faces, in the file's order */
+        if (node[n] == 0)
+            flat->at[flat->nodes][0] = NAN, node[n] = flat->nodes++;
     r->line.line = -1;
     if (!triangles)
         TRY(yaml_tree_refuse(&r->line, why, "no faces, as in `f 1 2 3`"));

@@ -1,7 +1,8 @@
 /* A plain engine of somebody else's: springs, angles between triangles, masses at vertices
  * and explicit steps, made of nothing but the files that `clothbench export` leaves and
  * what their README.md says. plain_engine FOLDER COLUMNS STEP DAMPING GX GY GZ TIME...
- * >frames.csv COLUMNS vertices along u; DAMPING of mass [1/s]. */
+ * >frames.csv COLUMNS vertices along u, or 0 of triangles in any order, whose hinges are
+ * listed; DAMPING of mass [1/s]. */
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -90,6 +91,9 @@ static void read_materials(const char *folder)
         int a;
         if (sscanf(line, "mass,%d,,%lf", &a, &value) == 2)
             mass[a] = value;
+        else if (sscanf(line, "spring,%d,%d,%lf,%31[^,],%lf", &s.a, &s.b, &s.stiffness,
+                        unit, &s.length) == 5)
+            spring[springs++] = s;
         else if (sscanf(line, "spring %63[a-z],%d,%d,%lf,%31[^,],%lf", word, &s.a, &s.b,
                         &s.stiffness, unit, &s.length) == 6)
             spring[springs++] = s;
@@ -161,6 +165,20 @@ static void add_hinge(int a, int b, int c, int d)
                                      stiffness[edge && (held[c] || held[d])][u && w ? 2
                                                                              : u    ? 0
                                                                                     : 1]};
+}
+
+static void read_hinges(const char *folder)
+{
+    char line[512];
+    FILE *file = open_file(folder, "hinges.csv");
+
+    NEED(fgets(line, sizeof line, file));
+    while (fgets(line, sizeof line, file)) {
+        struct hinge *h = &hinge[hinges++];
+        NEED(sscanf(line, "%d,%d,%d,%d,%lf", &h->edge[0], &h->edge[1], &h->wing[0],
+                    &h->wing[1], &h->stiffness) == 5);
+    }
+    fclose(file);
 }
 
 /* Joins every two triangles that have an edge in common. */
@@ -266,8 +284,12 @@ int main(int argc, char **argv)
     read_held(argv[1]);
     read_materials(argv[1]);
     read_triangles(argv[1]);
-    add_outside();
-    find_hinges();
+    if (columns == 0) {
+        read_hinges(argv[1]);
+    } else {
+        add_outside();
+        find_hinges();
+    }
     puts("t,u,v,x,y,z");
     for (int t = 8; t < argc; t++) {
         for (; (double)done * dt < atof(argv[t]) - dt / 2; done++)

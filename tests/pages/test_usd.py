@@ -35,6 +35,8 @@ def test_usd(tmp_path, scene, change, has, vertices, area):
     assert has in text and len(x) == vertices and np.allclose(x, export.x, atol=1e-8)
     assert len(numbers(text, "primvars:st")) == 2 * vertices
     assert len(numbers(text, "faceVertexCounts")) == len(corners)
+    sides = np.concatenate([corners[:, [k, (k + 1) % 3]] for k in range(3)])
+    assert len(np.unique(sides, axis=0)) == len(sides)  # none lies on another, and all turn the same way
     if area:  # in the plane x, y, counted from above
         a, b, c = (x[corners[:, k], :2] for k in range(3))
         assert np.cross(b - a, c - a).sum() / 2 == pytest.approx(area)

@@ -390,44 +390,6 @@ static int compare_scenes(const void *a, const void *b)
     return places ? places : strcmp(left->name, right->name);
 }
 
-enum status protocol_read(const char *path, const struct score_look *look,
-                          struct protocol *p, struct message *why)
-{
-    struct frames_folder folder = {0};
-    enum status st;
-
-    *p = (struct protocol){.folder = path};
-    st = frames_folder_read(path, &folder, why);
-    TRY(st == STATUS_FILE ? STATUS_INPUT : st);
-    frames_folder_keep(&folder, folder_is);
-    if (!folder.count)
-        TRY(status_fail(why, STATUS_INPUT,
-                        "%s: has no folders named like scenes; edge_drop/21x21.csv in it "
-                        "would be right",
-                        path));
-    TRY(read_engine(p, why));
-    TRY(read_contestants(p->contestants, why));
-    p->scene = arena_take(&p->arena, (size_t)folder.count, sizeof *p->scene);
-    for (int n = 0; n < folder.count; n++)
-        TRY(read_scene(&p->arena, folder.path[n], look, &p->scene[p->scenes++], why));
-    qsort(p->scene, (size_t)p->scenes, sizeof *p->scene, compare_scenes);
-out:
-    frames_folder_clear(&folder);
-    if (st != STATUS_OK)
-        protocol_clear(p);
-    return st;
-}
-
-void protocol_clear(struct protocol *p)
-{
-    for (int k = 0; k < PROTOCOL_TABLES; k++)
-        csv_clear(&p->contestants[k]);
-    arena_clear(&p->arena);
-    free(p->name);
-    free(p->version);
-    *p = (struct protocol){0};
-}
-
 /* --- verdicts on the frames of one simulator, as sentences with numbers --- */
 
 /* Fields closer to each other than this share of the length are the same: positions in
@@ -445,12 +407,6 @@ static const double STIFF_ERROR = 0.03;
  * this share of the difference. */
 static const double CLEAR = 0.25;
 
-struct judge {
-    const struct protocol *p;
-    void (*say)(void *context, const struct protocol_verdict *v);
-    void *context;
-};
-
 const char *protocol_subject_name(enum protocol_subject subject)
 {
     static const char *const name[] = {PROTOCOL_SUBJECT_LIST(LIST_WORD)};
@@ -459,17 +415,18 @@ const char *protocol_subject_name(enum protocol_subject subject)
 }
 
 static void __attribute__((format(printf, 5, 6)))
-tell(const struct judge *j, enum protocol_subject subject, enum protocol_tone tone,
+tell(struct protocol *p, enum protocol_subject subject, enum protocol_tone tone,
      const char *word, const char *format, ...)
 {
-    struct protocol_verdict v = {.subject = subject, .tone = tone};
     va_list args;
 
-    snprintf(v.word, sizeof v.word, "%s", word);
+    p->verdict = arena_more(&p->arena, p->verdict, (size_t)p->verdicts, sizeof *p->verdict);
+    struct protocol_verdict *v = &p->verdict[p->verdicts++];
+    v->subject = subject, v->tone = tone;
+    snprintf(v->word, sizeof v->word, "%s", word);
     va_start(args, format);
-    vsnprintf(v.text, sizeof v.text, format, args);
+    vsnprintf(v->text, sizeof v->text, format, args);
     va_end(args);
-    j->say(j->context, &v);
 }
 
 static const struct score_finding *find(const struct protocol_run *run,
@@ -496,9 +453,9 @@ static bool is_explained(const struct protocol_run *run)
 }
 
 /* Returns the run on the finest net of a scene that is explained; NULL: there is none. */
-static const struct protocol_run *explained(const struct judge *j, const char *name)
+static const struct protocol_run *explained(struct protocol *p, const char *name)
 {
-    const struct protocol_scene *scene = protocol_find(j->p, name);
+    const struct protocol_scene *scene = protocol_find(p, name);
 
     for (int n = scene ? scene->runs - 1 : -1; n >= 0; n--)
         if (protocol_is_first(scene, n) && is_explained(&scene->run[n]))
@@ -508,13 +465,13 @@ static const struct protocol_run *explained(const struct judge *j, const char *n
 
 /* --- errors and flaws --- */
 
-static void tell_error(const struct judge *j, const struct protocol_scene *scene)
+static void tell_error(struct protocol *p, const struct protocol_scene *scene)
 {
     const struct protocol_run *run = protocol_finest(scene);
     const struct score_time *worst = protocol_worst(run);
     const bool sound = find(run, SCORE_SOUND) || find(run, SCORE_FLOOR);
 
-    tell(j, PROTOCOL_ERROR, sound ? PROTOCOL_GOOD : PROTOCOL_NEUTRAL,
+    tell(p, PROTOCOL_ERROR, sound ? PROTOCOL_GOOD : PROTOCOL_NEUTRAL,
          sound ? "sound" : "off",
          "On %s its error is at most %.3g %% of the length (%dx%d points, at %.4g s; error "
          "bar of the truth %.3g %%, floor of the net %.3g %%).",
@@ -522,20 +479,20 @@ static void tell_error(const struct judge *j, const struct protocol_scene *scene
          100 * worst->bar, 100 * worst->floor);
 }
 
-static void tell_missing(const struct judge *j)
+static void tell_missing(struct protocol *p)
 {
     char names[160] = "";
 
     for (const char *const *name = protocol_first; *name; name++)
-        if (!protocol_find(j->p, *name))
+        if (!protocol_find(p, *name))
             TEXT_JOIN(names, ", ", "%s", *name);
     if (*names)
-        tell(j, PROTOCOL_ERROR, PROTOCOL_UNKNOWN, "not run",
+        tell(p, PROTOCOL_ERROR, PROTOCOL_UNKNOWN, "not run",
              "There are no frames of %s; clothbench export writes these scenes.", names);
 }
 
 /* Tells the flaws that have no subject of their own. */
-static void tell_flaws(const struct judge *j, const struct protocol_scene *scene)
+static void tell_flaws(struct protocol *p, const struct protocol_scene *scene)
 {
     const struct protocol_run *run = protocol_finest(scene);
     const struct score_diagnosis *d = &run->diagnosis;
@@ -545,11 +502,11 @@ static void tell_flaws(const struct judge *j, const struct protocol_scene *scene
         if (kind != SCORE_FIRST_ORDER_STEP && kind != SCORE_DAMPING &&
             kind != SCORE_BENDING && kind != SCORE_HINGE && kind != SCORE_CLAMP &&
             kind != SCORE_FLOOR && kind != SCORE_SOUND)
-            tell(j, PROTOCOL_FLAW, PROTOCOL_BAD, score_diagnosis_name(kind), "%s: %s",
+            tell(p, PROTOCOL_FLAW, PROTOCOL_BAD, score_diagnosis_name(kind), "%s: %s",
                  run->file, d->finding[n].text);
     }
     if (!d->count)
-        tell(j, PROTOCOL_FLAW, PROTOCOL_NEUTRAL, "unexplained",
+        tell(p, PROTOCOL_FLAW, PROTOCOL_NEUTRAL, "unexplained",
              "%s: No flaw that is known here explains the error.", run->file);
 }
 
@@ -585,32 +542,32 @@ static const struct motion_flaw motion_flaws[] = {
 };
 
 /* Tells of each scene why a flaw of the motion is not known from it. */
-static void tell_hidden(const struct judge *j, const struct motion_flaw *f)
+static void tell_hidden(struct protocol *p, const struct motion_flaw *f)
 {
     char why[200] = "";
 
     for (int k = 0; k < 2 && f->scene[k]; k++)
         TEXT_JOIN(
             why, "; ", "%s %s", f->scene[k],
-            protocol_find(j->p, f->scene[k])
+            protocol_find(p, f->scene[k])
                 ? "has frames whose error is not explained, or other flaws that hide it"
                 : "has no frames here");
-    tell(j, f->subject, PROTOCOL_UNKNOWN, "not known", "It would be seen on %s%s: %s.",
+    tell(p, f->subject, PROTOCOL_UNKNOWN, "not known", "It would be seen on %s%s: %s.",
          f->scene[0], f->scene[1] ? " or edge_drop" : "", why);
 }
 
-static void tell_motion_flaw(const struct judge *j, const struct motion_flaw *f)
+static void tell_motion_flaw(struct protocol *p, const struct motion_flaw *f)
 {
     const struct protocol_run *clean = NULL;
     bool found = false;
 
     for (int k = 0; k < 2 && f->scene[k]; k++) {
-        const struct protocol_run *run = explained(j, f->scene[k]);
+        const struct protocol_run *run = explained(p, f->scene[k]);
         const struct score_finding *flaw = find(run, f->found[0].kind);
         const bool second = !flaw && f->found[1].word;
         flaw = second ? find(run, f->found[1].kind) : flaw;
         if (flaw)
-            tell(j, f->subject, PROTOCOL_BAD,
+            tell(p, f->subject, PROTOCOL_BAD,
                  flaw->kind == SCORE_DAMPING && flaw->value < 0 ? "gains energy"
                                                                 : f->found[second].word,
                  "%s: %s", run->file, flaw->text);
@@ -618,30 +575,30 @@ static void tell_motion_flaw(const struct judge *j, const struct motion_flaw *f)
         clean = !flaw && !clean && run && run->diagnosis.left <= CLEAR ? run : clean;
     }
     if (!found && clean)
-        tell(j, f->subject, PROTOCOL_GOOD, f->without, "%s: %s.", clean->file, f->sentence);
+        tell(p, f->subject, PROTOCOL_GOOD, f->without, "%s: %s.", clean->file, f->sentence);
     else if (!found)
-        tell_hidden(j, f);
+        tell_hidden(p, f);
 }
 
-static void tell_stiffness(const struct judge *j)
+static void tell_stiffness(struct protocol *p)
 {
     static const char *const part[] = {"the membrane's along the warp",
                                        "the membrane's along the weft",
                                        "bending along the warp", "bending along the weft"};
-    const struct protocol_run *drop = explained(j, "edge_drop");
+    const struct protocol_run *drop = explained(p, "edge_drop");
     const struct score_finding *bends = find(drop, SCORE_BENDING);
     bool known[2][2] = {{false}};
     char missing[200] = "";
 
-    for (int k = 0; k < j->p->scenes; k++) {
-        const struct protocol_run *run = protocol_finest(&j->p->scene[k]);
+    for (int k = 0; k < p->scenes; k++) {
+        const struct protocol_run *run = protocol_finest(&p->scene[k]);
         const struct score_stiffness *s = &run->stiffness;
         if (!s->applies || (!s->found && find(run, SCORE_SOUND)))
             continue;
         const double off = fabs(s->value / s->scene - 1);
         char text[SCORE_STIFFNESS_TEXT];
         score_stiffness_text(s, text);
-        tell(j, PROTOCOL_STIFFNESS,
+        tell(p, PROTOCOL_STIFFNESS,
              !s->found           ? PROTOCOL_BAD
              : off < STIFF_ERROR ? PROTOCOL_GOOD
                                  : PROTOCOL_NEUTRAL,
@@ -652,7 +609,7 @@ static void tell_stiffness(const struct judge *j)
                 s->along == SCORE_ALONG_U || weft == (s->along == SCORE_ALONG_WEFT);
     }
     if (bends) {
-        tell(j, PROTOCOL_STIFFNESS, PROTOCOL_NEUTRAL, "bending", "%s: %s", drop->file,
+        tell(p, PROTOCOL_STIFFNESS, PROTOCOL_NEUTRAL, "bending", "%s: %s", drop->file,
              bends->text);
         known[1][0] = known[1][1] = true;
     }
@@ -660,7 +617,7 @@ static void tell_stiffness(const struct judge *j)
         if (!known[n / 2][n % 2])
             TEXT_JOIN(missing, ", ", "%s", part[n]);
     if (*missing)
-        tell(j, PROTOCOL_STIFFNESS, PROTOCOL_UNKNOWN, "not known",
+        tell(p, PROTOCOL_STIFFNESS, PROTOCOL_UNKNOWN, "not known",
              "These stiffnesses were not measured: %s. woven_hang and woven_level show "
              "them, exported with material.warp=90 for the weft.",
              missing);
@@ -730,7 +687,7 @@ static double rms_of(const struct protocol_run *run, bool bar)
 }
 
 /* Tells of three nets that approach a limit, by their order and the bar that it leaves. */
-static void tell_limit(const struct judge *j, const struct protocol_scene *scene,
+static void tell_limit(struct protocol *p, const struct protocol_scene *scene,
                        const struct protocol_run *const net[3],
                        const struct truth_order *order)
 {
@@ -748,7 +705,7 @@ static void tell_limit(const struct judge *j, const struct protocol_scene *scene
                  "The truth is %.3g %% from the finest: the limit is another motion, at "
                  "least %.3g %% from the truth and its bar.",
                  100 * error, 100 * (error - bar));
-    tell(j, PROTOCOL_NETS, error <= bar ? PROTOCOL_GOOD : PROTOCOL_BAD,
+    tell(p, PROTOCOL_NETS, error <= bar ? PROTOCOL_GOOD : PROTOCOL_BAD,
          error <= bar ? "converges" : "to another limit",
          "On %s it converges with order %.2g in the width of the cells (%s); the finest "
          "net is up to %.3g %% of the length from the limit. %s",
@@ -756,19 +713,19 @@ static void tell_limit(const struct judge *j, const struct protocol_scene *scene
 }
 
 /* Tells of two nets or more. */
-static void tell_refined(const struct judge *j, const struct protocol_scene *scene,
-                         int count, const struct protocol_run *const net[3])
+static void tell_refined(struct protocol *p, const struct protocol_scene *scene, int count,
+                         const struct protocol_run *const net[3])
 {
     double apart[3], h[3], worst, when;
 
     const int times = compare(scene, count, net, apart, &worst, &when);
     if (times && apart[1] < SAME && (count == 2 || apart[2] < SAME)) {
-        tell(j, PROTOCOL_NETS, PROTOCOL_NEUTRAL, "the same on each",
+        tell(p, PROTOCOL_NETS, PROTOCOL_NEUTRAL, "the same on each",
              "On %s its motion does not depend on the net.", scene->name);
         return;
     }
     if (count == 2 || !times) {
-        tell(j, PROTOCOL_NETS, PROTOCOL_UNKNOWN, "not known",
+        tell(p, PROTOCOL_NETS, PROTOCOL_UNKNOWN, "not known",
              times ? "On %s there are two nets, %.3g %% of the length apart: three would "
                      "show whether it converges."
                    : "On %s the nets have no time of the truth in common.",
@@ -779,111 +736,111 @@ static void tell_refined(const struct judge *j, const struct protocol_scene *sce
         h[k] = 1 / sqrt((net[k]->net[0] - 1.) * (net[k]->net[1] - 1.));
     const struct truth_order order = truth_order(h, apart[1], apart[2], PROMISED);
     if (order.order >= ORDER_LEAST)
-        tell_limit(j, scene, net, &order);
+        tell_limit(p, scene, net, &order);
     else
-        tell(j, PROTOCOL_NETS, PROTOCOL_BAD, "does not converge",
+        tell(p, PROTOCOL_NETS, PROTOCOL_BAD, "does not converge",
              "On %s it does not converge: from %dx%d to %dx%d points it changes by %.3g %% "
              "of the length, from there to %dx%d by %.3g %%.",
              scene->name, net[0]->net[0], net[0]->net[1], net[1]->net[0], net[1]->net[1],
              100 * apart[1], net[2]->net[0], net[2]->net[1], 100 * apart[2]);
 }
 
-static void tell_nets(const struct judge *j)
+static void tell_nets(struct protocol *p)
 {
     const struct protocol_run *net[3];
     char single[200] = "";
 
-    for (int k = 0; k < j->p->scenes; k++) {
-        const struct protocol_scene *scene = &j->p->scene[k];
+    for (int k = 0; k < p->scenes; k++) {
+        const struct protocol_scene *scene = &p->scene[k];
         const int count = last_nets(scene, net);
         if (count > 1)
-            tell_refined(j, scene, count, net);
+            tell_refined(p, scene, count, net);
         else
             TEXT_JOIN(single, ", ", "%s", scene->name);
     }
     if (*single)
-        tell(j, PROTOCOL_NETS, PROTOCOL_UNKNOWN, "not known",
+        tell(p, PROTOCOL_NETS, PROTOCOL_UNKNOWN, "not known",
              "There is one net only on %s: whether it converges there is not known.",
              single);
 }
 
 /* Tells whether a repeat agrees with the run before it. */
-static void tell_repeat(const struct judge *j, const struct protocol_scene *scene,
+static void tell_repeat(struct protocol *p, const struct protocol_scene *scene,
                         const struct protocol_run *const pair[2])
 {
     double apart[2], worst, when = 0;
     const int times = compare(scene, 2, pair, apart, &worst, &when);
 
     if (!times)
-        tell(j, PROTOCOL_REPEATS, PROTOCOL_UNKNOWN, "not known",
+        tell(p, PROTOCOL_REPEATS, PROTOCOL_UNKNOWN, "not known",
              "%s and %s have no time of the truth in common.", pair[0]->file,
              pair[1]->file);
     else if (worst <= SAME)
-        tell(j, PROTOCOL_REPEATS, PROTOCOL_GOOD, "agree", "%s and %s agree%s.",
+        tell(p, PROTOCOL_REPEATS, PROTOCOL_GOOD, "agree", "%s and %s agree%s.",
              pair[0]->file, pair[1]->file,
              worst > 0 ? " to single precision" : " to the last digit");
     else
-        tell(j, PROTOCOL_REPEATS, PROTOCOL_BAD, "do not agree",
+        tell(p, PROTOCOL_REPEATS, PROTOCOL_BAD, "do not agree",
              "%s and %s do not agree: they are %.3g %% of the length apart at %.4g s, "
              "where the truth is %.3g %% from the first.",
              pair[0]->file, pair[1]->file, 100 * worst, when,
              100 * protocol_worst(pair[0])->error);
 }
 
-static void tell_repeats(const struct judge *j)
+static void tell_repeats(struct protocol *p)
 {
     bool any = false;
 
-    for (int k = 0; k < j->p->scenes; k++) {
-        const struct protocol_scene *scene = &j->p->scene[k];
+    for (int k = 0; k < p->scenes; k++) {
+        const struct protocol_scene *scene = &p->scene[k];
         for (int n = 1; n < scene->runs; n++) {
             const struct protocol_run *const pair[2] = {&scene->run[n - 1], &scene->run[n]};
             if (protocol_is_first(scene, n))
                 continue;
-            tell_repeat(j, scene, pair);
+            tell_repeat(p, scene, pair);
             any = true;
         }
     }
     if (!any)
-        tell(j, PROTOCOL_REPEATS, PROTOCOL_UNKNOWN, "not known",
+        tell(p, PROTOCOL_REPEATS, PROTOCOL_UNKNOWN, "not known",
              "No run was repeated: whether two runs agree is not known.");
 }
 
 /* --- contact and place --- */
 
-static void tell_contact(const struct judge *j)
+static void tell_contact(struct protocol *p)
 {
     int files = 0;
     bool through = false;
 
-    for (int k = 0; k < j->p->scenes; k++)
-        for (int n = 0; n < j->p->scene[k].runs; n++) {
-            const struct protocol_run *run = &j->p->scene[k].run[n];
+    for (int k = 0; k < p->scenes; k++)
+        for (int n = 0; n < p->scene[k].runs; n++) {
+            const struct protocol_run *run = &p->scene[k].run[n];
             files += score_diagnosis_has_place(&run->diagnosis);
             for (int m = 0; m < run->said.count; m++) {
                 const struct score_print_saying *w = &run->said.saying[m];
                 if (!strcmp(w->kind, score_contact_name(SCORE_CONTACT_ITSELF)) ||
                     !strcmp(w->kind, score_contact_name(SCORE_CONTACT_BODY))) {
-                    tell(j, PROTOCOL_CONTACT, PROTOCOL_BAD, "passes through", "%s: %s",
+                    tell(p, PROTOCOL_CONTACT, PROTOCOL_BAD, "passes through", "%s: %s",
                          run->file, w->text);
                     through = true;
                 }
             }
         }
     if (!files)
-        tell(j, PROTOCOL_CONTACT, PROTOCOL_UNKNOWN, "not known",
+        tell(p, PROTOCOL_CONTACT, PROTOCOL_UNKNOWN, "not known",
              "In no file do axes, units and order of the vertices allow a judgement.");
     else if (!through)
-        tell(j, PROTOCOL_CONTACT, PROTOCOL_GOOD, "does not pass",
+        tell(p, PROTOCOL_CONTACT, PROTOCOL_GOOD, "does not pass",
              "In none of %d files does the sheet pass through itself or a body.", files);
 }
 
-static void tell_place(const struct judge *j, const struct protocol_scene *scene, bool *any)
+static void tell_place(struct protocol *p, const struct protocol_scene *scene, bool *any)
 {
     struct arena own = {0};
     int count, before = 0;
     char word[40], best[160] = "";
-    const struct protocol_rival *rival = list_rivals(&own, j->p, scene, &count);
+    const struct protocol_rival *rival = list_rivals(&own, p, scene, &count);
 
     while (before < count && !rival[before].own)
         before++;
@@ -892,7 +849,7 @@ static void tell_place(const struct judge *j, const struct protocol_scene *scene
                  100 * rival->error);
     snprintf(word, sizeof word, "place %d of %d", before + 1, count);
     if (count > 1)
-        tell(j, PROTOCOL_PLACE, PROTOCOL_NEUTRAL, word,
+        tell(p, PROTOCOL_PLACE, PROTOCOL_NEUTRAL, word,
              "On %s %d of %d contestants come nearer to the truth with as many points or "
              "fewer; its own error is %.3g %% up to %.4g s, the last time that all have.%s",
              scene->name, before, count - 1, 100 * rival[before].error, rival[before].until,
@@ -901,49 +858,75 @@ static void tell_place(const struct judge *j, const struct protocol_scene *scene
     arena_clear(&own);
 }
 
-void protocol_judge(const struct protocol *p,
-                    void (*say)(void *context, const struct protocol_verdict *v),
-                    void *context)
+static void judge(struct protocol *p)
 {
-    const struct judge j = {p, say, context};
     bool placed = false;
 
     for (int k = 0; k < p->scenes; k++)
-        tell_error(&j, &p->scene[k]);
-    tell_missing(&j);
+        tell_error(p, &p->scene[k]);
+    tell_missing(p);
     for (int k = 0; k < p->scenes; k++)
-        tell_flaws(&j, &p->scene[k]);
+        tell_flaws(p, &p->scene[k]);
     for (size_t n = 0; n < sizeof motion_flaws / sizeof *motion_flaws; n++)
-        tell_motion_flaw(&j, &motion_flaws[n]);
-    tell_stiffness(&j);
-    tell_nets(&j);
-    tell_repeats(&j);
-    tell_contact(&j);
+        tell_motion_flaw(p, &motion_flaws[n]);
+    tell_stiffness(p);
+    tell_nets(p);
+    tell_repeats(p);
+    tell_contact(p);
     for (int k = 0; k < p->scenes; k++)
-        tell_place(&j, &p->scene[k], &placed);
+        tell_place(p, &p->scene[k], &placed);
     if (!placed)
-        tell(&j, PROTOCOL_PLACE, PROTOCOL_UNKNOWN, "not known",
+        tell(p, PROTOCOL_PLACE, PROTOCOL_UNKNOWN, "not known",
              "Its place among the contestants is not known: the scenes to begin with show "
              "it, on a net that one of them has, too.");
 }
 
-/* --- the tables of the page ----------------------------------------------------------- */
-
-static void add_verdict(void *table, const struct protocol_verdict *v)
+enum status protocol_read(const char *path, const struct score_look *look,
+                          struct protocol *p, struct message *why)
 {
-    static const char *const tone[] = {"good", "bad", "", ""};
+    struct frames_folder folder = {0};
+    enum status st;
 
-    dataset_row(table);
-    dataset_text(table, "%s", protocol_subject_name(v->subject));
-    dataset_text(table, "%s", v->word);
-    dataset_text(table, "%s", tone[v->tone]);
-    dataset_text(table, "%s", v->text);
+    *p = (struct protocol){.folder = path};
+    st = frames_folder_read(path, &folder, why);
+    TRY(st == STATUS_FILE ? STATUS_INPUT : st);
+    frames_folder_keep(&folder, folder_is);
+    if (!folder.count)
+        TRY(status_fail(why, STATUS_INPUT,
+                        "%s: has no folders named like scenes; edge_drop/21x21.csv in it "
+                        "would be right",
+                        path));
+    TRY(read_engine(p, why));
+    TRY(read_contestants(p->contestants, why));
+    p->scene = arena_take(&p->arena, (size_t)folder.count, sizeof *p->scene);
+    for (int n = 0; n < folder.count; n++)
+        TRY(read_scene(&p->arena, folder.path[n], look, &p->scene[p->scenes++], why));
+    qsort(p->scene, (size_t)p->scenes, sizeof *p->scene, compare_scenes);
+    judge(p);
+out:
+    frames_folder_clear(&folder);
+    if (st != STATUS_OK)
+        protocol_clear(p);
+    return st;
 }
+
+void protocol_clear(struct protocol *p)
+{
+    for (int k = 0; k < PROTOCOL_TABLES; k++)
+        csv_clear(&p->contestants[k]);
+    arena_clear(&p->arena);
+    free(p->name);
+    free(p->version);
+    *p = (struct protocol){0};
+}
+
+/* --- the tables of the page ----------------------------------------------------------- */
 
 static struct dataset *verdicts_of(const struct protocol *p)
 {
     static const struct dataset_column columns[] = {
         {"subject"}, {"verdict"}, {"tone"}, {"sentence"}};
+    static const char *const tone[] = {"good", "bad", "", ""};
     char title[512];
     int files = 0;
 
@@ -960,7 +943,13 @@ static struct dataset *verdicts_of(const struct protocol *p)
                  "known, with error bars. Errors are rms distances over the sheet, in per "
                  "cent of its length.",
                  files, files == 1 ? "" : "s", p->scenes, p->scenes == 1 ? "" : "s");
-    protocol_judge(p, add_verdict, t);
+    for (const struct protocol_verdict *v = p->verdict; v < p->verdict + p->verdicts; v++) {
+        dataset_row(t);
+        dataset_text(t, "%s", protocol_subject_name(v->subject));
+        dataset_text(t, "%s", v->word);
+        dataset_text(t, "%s", tone[v->tone]);
+        dataset_text(t, "%s", v->text);
+    }
     return t;
 }
 

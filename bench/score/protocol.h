@@ -17,6 +17,35 @@
 #include "bench/score/score_print.h"
 #include "bench/score/score_stiffness.h"
 
+/* --- What they show --- */
+
+#define PROTOCOL_SUBJECT_LIST(X)                                                           \
+    X(ERROR, "error")                                                                      \
+    X(FLAW, "flaws")                                                                       \
+    X(STEP, "order of the step")                                                           \
+    X(DAMPING, "damping")                                                                  \
+    X(STIFFNESS, "stiffness")                                                              \
+    X(CLAMP, "clamp")                                                                      \
+    X(NETS, "finer nets")                                                                  \
+    X(REPEATS, "repeated runs")                                                            \
+    X(CONTACT, "contact")                                                                  \
+    X(PLACE, "place")
+
+enum protocol_subject {
+#define PROTOCOL_SUBJECT(code, name) PROTOCOL_##code,
+    PROTOCOL_SUBJECT_LIST(PROTOCOL_SUBJECT)
+#undef PROTOCOL_SUBJECT
+};
+
+enum protocol_tone { PROTOCOL_GOOD, PROTOCOL_BAD, PROTOCOL_NEUTRAL, PROTOCOL_UNKNOWN };
+
+struct protocol_verdict {
+    enum protocol_subject subject;
+    enum protocol_tone tone;
+    char word[40];  /* "converges", ... */
+    char text[640]; /* a sentence or two                                                 */
+};
+
 /* One file's score. */
 struct protocol_run {
     char *file;     /* SCENE/NAME-REPEAT.ENDING                                          */
@@ -48,47 +77,20 @@ struct protocol {
     double step;          /* that was asked for [s]; 0: not said                         */
     int scenes;
     struct protocol_scene *scene; /* [scenes] those to begin with first                  */
-    struct arena arena;           /* of all of these                               owned */
+    int verdicts;
+    struct protocol_verdict *verdict; /* [verdicts] what they show, by subject          */
+    struct arena arena; /* of all of these                               owned */
     struct csv contestants[PROTOCOL_TABLES]; /* stored runs of our own; count 0: none */
 };
 
-/* Reads and scores all files of a folder. STATUS_INPUT with a sentence: one of them is
- * wrong, or there are none. Free with protocol_clear. */
+/* Reads, scores and judges all files of a folder. STATUS_INPUT with a sentence: one of them
+ * is wrong, or there are none. Free with protocol_clear. */
 enum status protocol_read(const char *folder, const struct score_look *look,
                           struct protocol *p, struct message *why);
 void protocol_clear(struct protocol *p); /* all-zero is allowed */
 
 /* The scenes to begin with, in their order; NULL ends them. */
 extern const char *const protocol_first[];
-
-/* --- What they show --- */
-
-#define PROTOCOL_SUBJECT_LIST(X)                                                           \
-    X(ERROR, "error")                                                                      \
-    X(FLAW, "flaws")                                                                       \
-    X(STEP, "order of the step")                                                           \
-    X(DAMPING, "damping")                                                                  \
-    X(STIFFNESS, "stiffness")                                                              \
-    X(CLAMP, "clamp")                                                                      \
-    X(NETS, "finer nets")                                                                  \
-    X(REPEATS, "repeated runs")                                                            \
-    X(CONTACT, "contact")                                                                  \
-    X(PLACE, "place")
-
-enum protocol_subject {
-#define PROTOCOL_SUBJECT(code, name) PROTOCOL_##code,
-    PROTOCOL_SUBJECT_LIST(PROTOCOL_SUBJECT)
-#undef PROTOCOL_SUBJECT
-};
-
-enum protocol_tone { PROTOCOL_GOOD, PROTOCOL_BAD, PROTOCOL_NEUTRAL, PROTOCOL_UNKNOWN };
-
-struct protocol_verdict {
-    enum protocol_subject subject;
-    enum protocol_tone tone;
-    char word[40];  /* "converges", ... */
-    char text[640]; /* a sentence or two                                                 */
-};
 
 /* Returns the name of a subject: "error", ... */
 const char *protocol_subject_name(enum protocol_subject subject);
@@ -101,11 +103,6 @@ struct protocol_rival {
     double error; /* at the worst of the times that all have, over the length            */
     double until; /* the last of them [s]                                                */
 };
-
-/* Calls say() with each verdict, by subject. */
-void protocol_judge(const struct protocol *p,
-                    void (*say)(void *context, const struct protocol_verdict *v),
-                    void *context);
 
 /* Writes the tables of the page as CSV: verdicts, places, errors, what `score` says of each
  * file; nothing is left of it on failure. STATUS_FILE, STATUS_MEMORY. */

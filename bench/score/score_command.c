@@ -112,33 +112,26 @@ out:
 
 enum { WORDS = 24 }; /* columns of the screen for a verdict's word */
 
-static void add_verdict(void *table, const struct protocol_verdict *v)
-{
-    dataset_line(table, "%s|%s|%s", protocol_subject_name(v->subject), v->word, v->text);
-}
-
-static void print_verdict(void *last, const struct protocol_verdict *v)
-{
-    if (*(int *)last != (int)v->subject)
-        printf("%s%s\n", *(int *)last < 0 ? "" : "\n", protocol_subject_name(v->subject));
-    *(int *)last = (int)v->subject;
-    printf("  ");
-    wrap_item(v->word, WORDS, v->text, stdout);
-}
-
 static enum status print_protocol(const struct protocol *p, struct printer *printer,
                                   struct message *why)
 {
     static const struct dataset_column columns[] = {{"subject"}, {"verdict"}, {"sentence"}};
+    struct dataset *t = printer->format == TABLE_TEXT ? NULL : DATASET_OF(columns, NULL);
     int last = -1;
 
-    if (printer->format == TABLE_TEXT) {
-        protocol_judge(p, print_verdict, &last);
-        return STATUS_OK;
+    for (const struct protocol_verdict *v = p->verdict; v < p->verdict + p->verdicts; v++) {
+        const char *subject = protocol_subject_name(v->subject);
+        if (t) {
+            dataset_line(t, "%s|%s|%s", subject, v->word, v->text);
+            continue;
+        }
+        if (last != (int)v->subject)
+            printf("%s%s\n", last < 0 ? "" : "\n", subject);
+        last = (int)v->subject;
+        printf("  ");
+        wrap_item(v->word, WORDS, v->text, stdout);
     }
-    struct dataset *t = DATASET_OF(columns, NULL);
-    protocol_judge(p, add_verdict, t);
-    return printer_table(printer, t, NULL, why);
+    return t ? printer_table(printer, t, NULL, why) : STATUS_OK;
 }
 
 static enum status run_protocol(const struct command_line *line, const struct job *j,

@@ -303,17 +303,23 @@ void score_coarse_rest(const struct score *s, double *rest)
     }
 }
 
-void score_path(const struct score *s, double time, double *field)
+void score_between(int count, const double *time, double t, const double *rest,
+                   const double *fields, double *field)
 {
     double weight[4];
-    const int first = score_window(s->fine.times, s->fine.time, time, weight);
-    const double *four = s->path + 3L * LADDER_POINTS * (first + 1);
+    const int first = score_window(count, time, t, weight);
 
-    for (int n = 0; n < 3 * LADDER_POINTS; n++) {
-        field[n] = 0;
-        for (int a = 0; a < 4; a++)
-            field[n] += weight[a] * four[3L * LADDER_POINTS * a + n];
-    }
+    memset(field, 0, 3 * LADDER_POINTS * sizeof *field);
+    for (int a = first; a < first + 4; a++)
+        for (int n = 0; n < 3 * LADDER_POINTS; n++)
+            field[n] +=
+                weight[a - first] * (a < 0 ? rest : fields + 3L * LADDER_POINTS * a)[n];
+}
+
+void score_path(const struct score *s, double time, double *field)
+{
+    score_between(s->fine.times, s->fine.time, time, s->path, s->path + 3L * LADDER_POINTS,
+                  field);
 }
 
 static void make_path(struct score *s)

@@ -154,6 +154,11 @@ void score_clear(struct score *score); /* all-zero is allowed, and left */
 /* Returns the field of the n-th time. */
 double *score_view_field(const struct score_view *view, int n);
 
+/* Fills field[LADDER_POINTS][3] at any time from fields[count] at these times and `rest` at
+ * 0, by cubics. */
+void score_between(int count, const double *time, double t, const double *rest,
+                   const double *fields, double *field);
+
 /* Fills field[LADDER_POINTS][3] with the truth at any time, between the net's vertices;
  * truth.moves holds. */
 void score_path(const struct score *score, double time, double *field);

@@ -99,30 +99,14 @@ static void add_time(struct sums *s, int points, double weight, double noise)
 
 /* --- on the ladder --- */
 
-/* Fills a field at any time up to the ladder's last, from fields[times][LADDER_POINTS][3].
- */
-static void ladder_at(const struct score_ladder *l, const double *fields,
-                      const double *rest, double t, double *field)
-{
-    double weight[4];
-    const int first = score_window(l->times, l->time, t, weight);
-
-    for (int n = 0; n < 3 * LADDER_POINTS; n++) {
-        field[n] = 0;
-        for (int a = 0; a < 4; a++)
-            field[n] +=
-                weight[a] *
-                (first + a < 0 ? rest : fields + 3L * LADDER_POINTS * (first + a))[n];
-    }
-}
-
 /* Fills a column with the effect of something that turns the base into `fields`. */
 static void fill_effect(const struct score *s, const double *fields, const double *rest,
                         double t, const double *base, double size, double *column)
 {
+    const struct score_ladder *l = &s->truth->ladder;
     double field[3 * LADDER_POINTS];
 
-    ladder_at(&s->truth->ladder, fields, rest, t, field);
+    score_between(l->times, l->time, t, rest, fields, field);
     score_map_seen(&s->fine.map, LADDER_U, LADDER_V, field, column);
     for (int n = 0; n < 3 * LADDER_POINTS; n++)
         column[n] = (column[n] - base[n]) / size;
@@ -141,7 +125,7 @@ static void add_ladder_time(const struct score *s, int frame, const double *rest
         bar = l->bar[LADDER_BASE * l->times + (int)fmin(t / l->time[0], l->times - 1)];
     double truth[3 * LADDER_POINTS], base[3 * LADDER_POINTS], before[3 * LADDER_POINTS];
 
-    ladder_at(l, fields, rest, t, truth);
+    score_between(l->times, l->time, t, rest, fields, truth);
     fill_effect(s, fields, rest, t, none, 1, base);
     fill_effect(s, fields, rest, t - MOMENT, none, 1, before);
     fill_effect(s, fields, rest, t + MOMENT, before, 2 * MOMENT, sums->column[LEAD]);

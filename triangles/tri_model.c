@@ -254,7 +254,8 @@ static void describe_mesh(const struct tri_motion *m, struct message *line)
     message_add(line, "%d points, %d triangles, %d edges", mesh->vertices,
                 mesh->flat.triangles, mesh->edges);
     if (m->shell.bending == BENDING_HINGE)
-        message_add(line, "; hinges bend as the mesh is drawn, and do not converge");
+        message_add(line,
+                    "; hinges bend as the mesh is drawn: cut one way, too soft on any net");
     if (OWN(tri_own, &m->asked)->membrane == MEMBRANE_SPRINGS)
         spring_net_tell_mesh(mesh, m->net.scene, line);
 }

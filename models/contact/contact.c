@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "models/contact/contact_hold.h"
 #include "models/contact/contact_limit.h"
 #include "models/room.h"
 #include "models/vector.h"
@@ -536,6 +535,23 @@ static double distance_now(const struct contact *c, const struct contact_touch *
     return t->D_flat + vector_dot(way, t->normal);
 }
 
+/* Tells whether a held touch is that of a sample with a body; *at: a body's touch before or
+ * at it, of touches that are ascending up to listed[0]. */
+static bool is_held(const struct contact *c, int sample, int obstacle, int *at)
+{
+    const struct contact_touch *t = c->touch;
+
+    while (*at < c->listed[0] && t[*at].obstacle >= 0 && t[*at].sample < sample)
+        ++*at;
+    for (int n = *at; n < c->listed[0] && t[n].obstacle >= 0 && t[n].sample == sample; n++)
+        if (t[n].obstacle == obstacle)
+            return true;
+    for (int n = c->listed[0]; n < c->count; n++)
+        if (t[n].sample == sample && t[n].obstacle == obstacle)
+            return true;
+    return false;
+}
+
 /* Lists the touches at x; adds those that are new to held ones. */
 static enum status list_touches(struct contact *c, const double *x)
 {
@@ -555,7 +571,7 @@ static enum status list_touches(struct contact *c, const double *x)
                 D = distance_met(c, n, o, y, D, normal);
             if (D - c->body.start < c->least)
                 c->least = D - c->body.start;
-            if (D < c->body.start && !(c->held && contact_hold_has(c, n, o, &at)))
+            if (D < c->body.start && !(c->held && is_held(c, n, o, &at)))
                 TRY(add_body(c, n, o, D, normal));
         }
     }

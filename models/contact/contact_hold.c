@@ -15,21 +15,6 @@ static const double ALIKE = 1e-2;
  * springs over a rod that is thinner than a cell died without an end of it. */
 enum { BOUNDS = 10 };
 
-bool contact_hold_has(const struct contact *c, int sample, int obstacle, int *at)
-{
-    const struct contact_touch *t = c->touch;
-
-    while (*at < c->listed[0] && t[*at].obstacle >= 0 && t[*at].sample < sample)
-        ++*at;
-    for (int n = *at; n < c->listed[0] && t[n].obstacle >= 0 && t[n].sample == sample; n++)
-        if (t[n].obstacle == obstacle)
-            return true;
-    for (int n = c->listed[0]; n < c->count; n++)
-        if (t[n].sample == sample && t[n].obstacle == obstacle)
-            return true;
-    return false;
-}
-
 void contact_hold(struct contact *c, double size)
 {
     const bool less = size < c->least_change / 2;
@@ -44,7 +29,7 @@ void contact_hold(struct contact *c, double size)
     c->held = true, c->listed[0] = c->count, c->listed[1] = c->meetings;
 }
 
-bool contact_release(struct contact *c, bool again)
+bool contact_hold_release(struct contact *c, bool again)
 {
     double off = 0, all = 0;
 

@@ -18,10 +18,6 @@ void contact_hold(struct contact *c, double size);
  * so that contact_find finds them anew; else they stay held, since feet may jump for ever,
  * and take their push there for what bounds their friction. False: none are held, or what
  * they led to is to be taken, since push and bound are alike. */
-bool contact_release(struct contact *c, bool again);
-
-/* Tells whether a held touch is that of a sample with a body; *at: a body's touch before or
- * at it, of touches that are ascending up to listed[0]. */
-bool contact_hold_has(const struct contact *c, int sample, int obstacle, int *at);
+bool contact_hold_release(struct contact *c, bool again);
 
 #endif

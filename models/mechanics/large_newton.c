@@ -313,7 +313,7 @@ static enum newton_verdict judge(struct newton *n)
     const bool calm =
         left(n) <= tolerance(m, e->q) && n->whole && settled(m, n->size, n->before);
     const bool anew =
-        calm && m->contact && contact_release(m->contact, n->changes < n->limit / 2);
+        calm && m->contact && contact_hold_release(m->contact, n->changes < n->limit / 2);
     if ((calm && !anew) || n->changes + 1 == e->q->enough)
         return NEWTON_DONE;
     return anew ? NEWTON_ANEW : NEWTON_ON;

@@ -42,6 +42,7 @@ struct frames_look {
 struct frames_net {
     int vertices;
     int points[2]; /* of the net of whose surface a result file has so many places; 0  */
+    bool linear;   /* between these points, which stand evenly                         */
     double *uv;    /* [vertices][2] material coordinates; NULL: unknown              */
     double *rest;  /* [vertices][3] of --rest; NULL: none                            */
     int triangles; /* 0: no faces                                                    */

@@ -151,7 +151,8 @@ out:
     return st;
 }
 
-/* Reads the points of the net that a result file is of. */
+/* Reads the points of the net that a result file is of, and whether it is linear between
+ * them: of degree 1, and a grid. */
 static enum status read_points(struct frames *f, struct store_read *own,
                                struct message *why)
 {
@@ -160,9 +161,12 @@ static enum status read_points(struct frames *f, struct store_read *own,
     enum status st;
 
     TRY(store_read_text(own, "/", "discretization", &text, why));
-    const char *at = strstr(text, key);
+    const char *at = strstr(text, key), *mesh = strstr(text, "discretization.mesh=");
     if (!at || sscanf(at + strlen(key), "%d,%d", &f->net.points[0], &f->net.points[1]) != 2)
         f->net.points[0] = f->net.points[1] = 0;
+    f->net.linear = f->net.points[0] > 1 && f->net.points[1] > 1 &&
+                    strstr(text, "discretization.degree=[1,1,") &&
+                    (!mesh || strstr(mesh, "=grid\n") == strchr(mesh, '='));
 out:
     return st;
 }

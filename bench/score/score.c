@@ -381,6 +381,29 @@ static void take_start(struct score *s, const double *xyz)
         s->strays.count = 0;
 }
 
+/* Makes the map of the points between which a result file, which has more places, is
+ * linear.
+ */
+static enum status map_points(struct score *s, const struct frames_net *file,
+                              const char *name, struct message *why)
+{
+    const int n = file->points[0], m = file->points[1];
+    struct frames_net frames = {.vertices = n * m};
+    struct score_net net;
+    enum status st;
+
+    frames.uv = arena_take(&s->arena, 2 * (size_t)(n * m), sizeof *frames.uv);
+    for (int k = 0; k < n * m; k++) {
+        frames.uv[2 * k] = (double)(k % n) / (n - 1);
+        frames.uv[2 * k + 1] = (double)(k / n) / (m - 1);
+    }
+    TRY(score_net_make(&s->arena, &frames, &s->truth->scene, name, NULL, NULL, &net, why));
+    TRY(score_net_map(&s->arena, &net, &frames, &s->truth->scene, name, GRID_U, GRID_V,
+                      &s->points, why));
+out:
+    return st;
+}
+
 /* Makes the net and both views of it from the first frame. */
 static enum status make_net(struct score *s, const struct frames *frames,
                             const struct score_look *look, const double *xyz,
@@ -402,6 +425,8 @@ static enum status make_net(struct score *s, const struct frames *frames,
     TRY(score_net_map(arena, &s->net, net, scene, name, GRID_U, GRID_V, &s->grid.map, why));
     TRY(score_net_map(arena, &s->net, net, scene, name, LADDER_U, LADDER_V, &s->fine.map,
                       why));
+    if (net->linear && scene_sheets(scene) == 1)
+        TRY(map_points(s, net, name, why));
     score_contact_begin(arena, &s->contact, scene, net, &s->net);
     make_path(s);
     take_start(s, xyz);
@@ -488,6 +513,16 @@ out:
     return st;
 }
 
+/* Returns how far the truth itself is off, over the length, between the vertices of a map.
+ */
+static double floor_of(const struct score *s, const struct score_map *map,
+                       const double *truth, double *seen)
+{
+    score_map_seen(map, GRID_U, GRID_V, truth, seen);
+    const double off = score_rms(SCORE_POINTS, seen, truth) / s->truth->scene.length;
+    return off < ROUNDING ? 0 : off;
+}
+
 /* Makes a row of each time that has a frame. */
 static void judge(struct score *s)
 {
@@ -519,10 +554,10 @@ static void judge(struct score *s)
                                    .truth = moved ? truth : known->xyz[at],
                                    .seen = seen,
                                    .got = score_view_field(&s->grid, n)};
-        score_map_seen(&s->grid.map, GRID_U, GRID_V, row->truth, seen);
         row->error = score_rms(SCORE_POINTS, row->got, row->truth) / length;
-        row->floor = score_rms(SCORE_POINTS, seen, row->truth) / length;
-        row->floor = row->floor < ROUNDING ? 0 : row->floor;
+        if (s->points.used) /* then `seen` is what the file's own places see */
+            row->floor = floor_of(s, &s->points, row->truth, seen);
+        row->floor = fmax(row->floor, floor_of(s, &s->grid.map, row->truth, seen));
     }
 }
 

@@ -113,7 +113,8 @@ struct score_time {
     bool moved;          /* the frame is of another time                                */
     double error;        /* rms over the material grid                                  */
     double bar;          /* of the truth                                                */
-    double floor;        /* of the truth itself, bilinear between the net's vertices    */
+    double floor;        /* of the truth itself, bilinear between the net's vertices, or
+                            between the points of a result file's net                   */
     const double *known; /* the truth at `time`                                         */
     const double *truth; /* the truth at the frame's own time                           */
     const double *seen;  /* the truth, bilinear between the net's vertices              */
@@ -123,6 +124,8 @@ struct score_time {
 struct score {
     const struct score_truth *truth; /*                                       borrowed  */
     struct score_net net;
+    struct score_map points; /* onto the material grid, of the points between which a
+                                result file is linear; empty: it is not                 */
     struct score_contact contact;
     struct score_view grid; /* on the material grid, near the times that are judged */
     struct score_view fine; /* on the ladder's points, near all times that are known */

@@ -101,6 +101,33 @@ def between(scene, side, t):
     return sum(xyz[first + a] * math.prod((t - s) / (near[a] - s) for b, s in enumerate(near) if a != b)
                for a in range(4))
 
+def bilinear(x, side):
+    """x[vertex, 3] of a square net, on side x side points."""
+    n = math.isqrt(len(x))
+    at = np.linspace(0, n - 1, side)
+    cell = np.minimum(at.astype(int), n - 2)
+    part = (at - cell)[:, None]
+    for _ in range(2):  # along one direction, then along the other
+        x = x.reshape(n, -1, 3)
+        x = ((1 - part) * x[cell].reshape(side, -1) + part * x[cell + 1].reshape(side, -1)).reshape(side, -1, 3)
+        x = x.transpose(1, 0, 2)
+    return x.reshape(-1, 3)
+
+@pytest.mark.parametrize("model, points, linear", [("triangles_explicit", 21, True), ("shell", 10, False)])
+def test_floor_of_result(tmp_path, model, points, linear):
+    """A result file has 100x100 places, whose floor is that of its net's points, between which it is linear;
+    a spline, which is not, has none."""
+    clothbench.run("run", "edge_drop", "--model", model, "--quiet", "--every", 1, "--out", tmp_path / "run.h5",
+                   "--set", f"discretization.points=[{points},{points}]", "--set", "time.end=0.1",
+                   "--set", "damping={kind: none}")
+    sheet = json.loads(clothbench.run("score", "edge_drop", tmp_path / "run.h5", "--format", "json"))
+    rest, times, xyz = known("edge_drop", SIDE)
+    k, = np.flatnonzero(np.isclose(times, 0.1))
+    off = bilinear(known("edge_drop", points)[2][k], SIDE) - xyz[k]
+    want = math.sqrt((off * off).sum() / len(off)) / np.ptp(rest[:, 0]) if linear else 0
+    assert sheet["rows"][0]["floor"] == pytest.approx(want, rel=0.05)  # means over a ninth of the places
+    assert not linear or want > 2e-4
+
 # --- flaws of physics ----------------------------------------------------------------------------
 
 def layer(young, thick, density):

@@ -33,20 +33,17 @@ static enum status check_net(const struct frames *f, struct message *why)
 }
 
 /* Appends a frame; both layers of its field are the middle surface. */
-static enum status add_frame(struct run_result *r, double t, const double *xyz)
+static void add_frame(struct run_result *r, double t, const double *xyz)
 {
-    const size_t count = (size_t)r->frames + 1, numbers = 3 * LAYER;
-    double *time = realloc(r->time, count * sizeof *time);
-    double **all = time ? realloc(r->xyz, count * sizeof *all) : NULL;
+    const size_t count = (size_t)r->frames, numbers = 3 * LAYER;
 
-    r->time = time ? time : r->time;
-    r->xyz = all ? all : r->xyz;
-    if (!all || !(all[r->frames] = malloc(GRID_W * numbers * sizeof *xyz)))
-        return STATUS_MEMORY;
+    r->time = arena_more(&r->arena, r->time, count, sizeof *r->time);
+    r->xyz = arena_more(&r->arena, r->xyz, count, sizeof *r->xyz);
+    r->time[count] = t;
+    r->xyz[count] = arena_take(&r->arena, GRID_W * numbers, sizeof *xyz);
     for (int w = 0; w < GRID_W; w++)
-        memcpy(all[r->frames] + w * numbers, xyz, numbers * sizeof *xyz);
-    time[r->frames++] = t;
-    return STATUS_OK;
+        memcpy(r->xyz[count] + w * numbers, xyz, numbers * sizeof *xyz);
+    r->frames++;
 }
 
 static enum status read_net(const char *path, struct run_result *r, struct message *why)
@@ -62,7 +59,7 @@ static enum status read_net(const char *path, struct run_result *r, struct messa
         TRY(frames_next(f, &t, &xyz, why));
         if (!xyz)
             break;
-        TRY(add_frame(r, t, xyz));
+        add_frame(r, t, xyz);
     }
 out:
     frames_close(f);

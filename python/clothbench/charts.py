@@ -3,6 +3,7 @@
 A model has one colour everywhere, a line its label at its end, a truth's error bar is a band, ticks
 are round, and nothing is cut. Infinite numbers and those that do not exist are left out.
 """
+import collections
 import io
 import math
 import textwrap
@@ -34,10 +35,9 @@ def colour_of(label, n=0):
     """The colour of a model by its name, of a word for how a case ended, else the n-th."""
     return COLOURS.get(label) or WORDS.get(label) or OTHERS[n % len(OTHERS)]
 
-def saved(figure, kind, description=""):
+def saved(figure, description=None):
     data = io.BytesIO()
-    figure.savefig(data, format=kind,
-                   metadata={"Date": None, "Creator": None, "Description": description or None})
+    figure.savefig(data, format="svg", metadata={"Date": None, "Creator": None, "Description": description})
     plt.close(figure)
     return data.getvalue()
 
@@ -67,9 +67,16 @@ def ticks(values, log):
     span = high - low or abs(high) or 1
     step = 10.0 ** math.floor(math.log10(span))
     step *= next((s for s in (0.1, 0.2, 0.25, 0.5, 1, 2) if span / (step * s) <= 6), 2)
-    first, last = math.floor(low / step + 1e-9), math.ceil(high / step - 1e-9)
-    return first * step, max(last, first + 1) * step, [n * step for n in
-                                                       range(first, max(last, first + 1) + 1)]
+    first = math.floor(low / step + 1e-9)
+    last = max(math.ceil(high / step - 1e-9), first + 1)
+    return first * step, last * step, [n * step for n in range(first, last + 1)]
+
+def set_marks(axis, marks, words, low, high):
+    """Gives an axis its ends and its ticks, whose words come of their places."""
+    axis.set_major_locator(FixedLocator(marks))
+    axis.set_minor_locator(NullLocator())
+    axis.set_major_formatter(FuncFormatter(lambda value, _: words(value)))
+    axis.axes.set(**{f"{axis.axis_name}lim": (low, high)})
 
 def set_axis(axis, values, log, tight=False):
     """Scales an axis so that all values lie inside, or at its ends."""
@@ -78,18 +85,8 @@ def set_axis(axis, values, log, tight=False):
         low, high = min(values), max(values)
         marks = [m for m in marks if low <= m <= high]
     axis.axes.set(**{f"{axis.axis_name}scale": "log" if log else "linear"})
-    axis.set_major_locator(FixedLocator(marks))
-    axis.set_minor_locator(NullLocator())
-    axis.set_major_formatter(FuncFormatter(lambda value, _: words_of(value)))
     margin = (high / low) ** 0.02 if log else 0.02 * (high - low)
-    axis.axes.set(**{f"{axis.axis_name}lim": (low / margin, high * margin) if log else
-                     (low - margin, high + margin)})
-
-def set_words(axis, words):
-    axis.set_major_locator(FixedLocator(range(len(words))))
-    axis.set_minor_locator(NullLocator())
-    axis.set_major_formatter(FuncFormatter(lambda n, _: words[int(n)] if 0 <= n < len(words) else ""))
-    axis.axes.set(**{f"{axis.axis_name}lim": (-0.5, len(words) - 0.5)})
+    set_marks(axis, marks, words_of, *((low / margin, high * margin) if log else (low - margin, high + margin)))
 
 def place_labels(axes, ends):
     """Writes labels [(x, y, label, colour)] beside the ends of lines, one below the other."""
@@ -112,8 +109,7 @@ def place_labels(axes, ends):
     for (y, x, label, colour), place in zip(wrapped, at):
         axes.plot([x + 0.015, 1.035], [y, place], transform=axes.transAxes, clip_on=False, lw=0.6,
                   color=colour, alpha=0.5)
-        axes.text(1.045, place, label, transform=axes.transAxes, color=colour, va="center",
-                  fontsize=SIZE - 0.5)
+        axes.text(1.045, place, label, transform=axes.transAxes, color=colour, va="center", fontsize=SIZE - 0.5)
 
 SHAPE, PLACE = (6.1, 3.45), (0.84, 0.5, 3.3, 2.5)  # of a chart, and its axes: left, low, width, height [in]
 
@@ -131,21 +127,18 @@ def new_axes(title, x, y):
 def finite(points):
     return [(x, y) for x, y in points if math.isfinite(x) and math.isfinite(y)]
 
-def lines(title, x, y, drawn, bar=None, others=(), joined=True, real_time=None, description=""):
+def lines(title, x, y, drawn, bar=None, others=(), real_time=None, description=None):
     """A chart of lines [(label, colour or None, [(x, y)])]; `bar` is the height of the truth's band,
     `others` are open points of the same form. None: there is nothing to draw."""
-    drawn = [(label, colour, sorted(finite(points))) for label, colour, points in drawn]
-    drawn = [line for line in drawn if line[2]]
-    everything = [p for _, _, points in drawn + list(others) for p in finite(points)]
+    drawn = [(label, colour, sorted(finite(points))) for label, colour, points in drawn if finite(points)]
     if not drawn:
         return None
-    xs, ys = ([p[k] for p in everything] for k in (0, 1))
+    xs, ys = zip(*(p for _, _, points in drawn + list(others) for p in finite(points)))
     bar = bar if bar and bar > min(ys) / 30 else None  # far below all, it would flatten the lines
-    ys += [bar] if bar else []
+    ys += (bar,) if bar else ()
     figure, axes = new_axes(title, x, y)
-    log = [is_log(xs), is_log(ys)]
-    set_axis(axes.xaxis, xs, log[0])
-    set_axis(axes.yaxis, ys, log[1])
+    set_axis(axes.xaxis, xs, is_log(xs))
+    set_axis(axes.yaxis, ys, is_log(ys))
     if bar:
         axes.axhspan(axes.get_ylim()[0], bar, color="#c9cfd6", alpha=0.55, lw=0)
         tall = axes.transAxes.inverted().transform(axes.transData.transform((xs[0], bar)))[1] > 0.1
@@ -160,10 +153,10 @@ def lines(title, x, y, drawn, bar=None, others=(), joined=True, real_time=None, 
     ends = []
     for n, (label, colour, points) in enumerate(drawn):
         colour = colour or colour_of(label, n)
-        axes.plot(*zip(*points), "o-" if joined else "o", ms=3.5, lw=1.6, color=colour)
+        axes.plot(*zip(*points), "o-", ms=3.5, lw=1.6, color=colour)
         ends.append((*points[-1], label, colour))
     place_labels(axes, [end for end in ends if end[2]])
-    return saved(figure, "svg", description)
+    return saved(figure, description)
 
 def edges(places, log):
     """Half-way lines between places of cells, and beyond the ends as far as the next line."""
@@ -184,7 +177,7 @@ def coded(values):
 def classes(title, x, y, cases):
     """A map of cases [(x, y, label)], as words; cells where they lie on a grid. None: there is nothing
     to draw."""
-    cases = [c for c in cases if c[0] not in ("", "nan", "inf") and c[1] not in ("", "nan", "inf")]
+    cases = [c for c in cases if not {"", "nan", "inf"} & set(c[:2])]
     if not cases:
         return None
     at, words = zip(*(coded([c[k] for c in cases]) for k in (0, 1)))
@@ -193,19 +186,17 @@ def classes(title, x, y, cases):
     grid = len(cases) == len(places[0]) * len(places[1]) or max(map(len, places)) <= 24
     figure, axes = new_axes(title, x, y)
     limits = [edges(p, g) for p, g in zip(places, log)]
-    count = {}
-    for label in (c[2] for c in cases):
-        count[label] = count.get(label, 0) + 1
+    count = collections.Counter(c[2] for c in cases)
     colours = {label: colour_of(label, n) for n, label in enumerate(sorted(count))}
     for k, axis in enumerate((axes.xaxis, axes.yaxis)):
         if words[k]:
-            set_words(axis, words[k])
+            set_marks(axis, places[k], lambda n, of=words[k]: of[int(n)], -0.5, len(words[k]) - 0.5)
         else:
-            set_axis(axis, list(limits[k]) if grid else places[k], log[k], grid)
+            set_axis(axis, limits[k] if grid else places[k], log[k], grid)
     if grid:
-        sides = [{p: (a, b) for p, a, b in zip(places[k], limits[k], limits[k][1:])} for k in (0, 1)]
-        boxes = [[(x0, y0), (x1, y0), (x1, y1), (x0, y1)] for cx, cy in zip(*at)
-                 for (x0, x1), (y0, y1) in [(sides[0][cx], sides[1][cy])]]
+        sides = [dict(zip(places[k], zip(limits[k], limits[k][1:]))) for k in (0, 1)]
+        boxes = [[(sides[0][cx][i], sides[1][cy][j]) for i, j in ((0, 0), (1, 0), (1, 1), (0, 1))]
+                 for cx, cy in zip(*at)]
         axes.add_collection(PolyCollection(boxes, facecolors=[colours[c[2]] for c in cases],
                                            edgecolors="white", linewidths=0.8))
     else:
@@ -213,7 +204,7 @@ def classes(title, x, y, cases):
     for n, (label, uses) in enumerate(sorted(count.items(), key=lambda c: -c[1])):
         axes.text(1.04, 1 - 0.085 * n, "■ " + textwrap.shorten(f"{label}: {uses}", 28),
                   transform=axes.transAxes, color=colours[label], va="top", fontsize=SIZE - 1)
-    return saved(figure, "svg")
+    return saved(figure)
 
 # --- sheets ----------------------------------------------------------------------------------
 
@@ -274,13 +265,15 @@ def sheets(fields):
         made.append(data.getvalue())
     return made
 
+def points_of(runs):
+    """All points [n, 3] of the frames that have no others; one at 0 where there are none."""
+    return np.concatenate([run.xyz[run.is_good()].reshape(-1, 3) for run in runs if run.is_good().any()]
+                          or [np.zeros((1, 3))])
+
 def pictures_of(runs):
     """Those of the frames of runs of a scene, one after the other."""
-    flat = [run.xyz.reshape(-1, 3) for run in runs if len(run.xyz)]
-    flat = np.concatenate(flat or [np.zeros((1, 3))])
-    flat = flat[np.isfinite(flat).all(1)]
-    low, high = (flat.min(0), flat.max(0)) if len(flat) else (np.zeros(3), np.ones(3))
-    return sheets([(colour_of(run.model), xyz, bodies.surfaces(run.bodies, t, low, high))
+    flat = points_of(runs)
+    return sheets([(colour_of(run.model), xyz, bodies.surfaces(run.bodies, t, flat.min(0), flat.max(0)))
                    for run in runs for t, xyz in zip(run.time, run.xyz)])
 
 def row_of(pictures, words):

@@ -40,7 +40,12 @@ class Exported:
         self.velocities = _columns(self._rows("velocities.csv"), "xyz").tolist()
         faces = re.findall(r"^f (\d+)/\d+ (\d+)/\d+ (\d+)/\d+$", self._text("rest.obj"), re.M)
         self.triangles = numpy.array(faces, dtype=int).reshape(-1, 3) - 1
-        self._read_numbers(self._rows("materials.csv"))
+        numbers = self._rows("materials.csv")
+        self.mass = numpy.array([float(r["value"]) for r in numbers if r["quantity"] == "mass"])
+        self.springs = numpy.array(
+            [(r["a"], r["b"], r["value"], r["rest_length"]) for r in numbers if r["quantity"].startswith("spring ")],
+            dtype=[("a", int), ("b", int), ("stiffness", float), ("length", float)])
+        self.material = {r["quantity"]: float(r["value"]) for r in numbers if not r["a"]}
         times = self._rows("times.csv")
         self.step, self.end = (float(r["time"]) for r in times[:2])
         self.times, self.bars = _columns(times[2:], ("time", "bar")).T
@@ -58,14 +63,6 @@ class Exported:
         if name in ("paths.csv", "velocities.csv") and not (self.folder / name).exists():
             return []
         return list(csv.DictReader(self._text(name).splitlines()))
-
-    def _read_numbers(self, rows):
-        springs = [r for r in rows if r["quantity"].startswith("spring ")]
-        self.mass = numpy.array([float(r["value"]) for r in rows if r["quantity"] == "mass"])
-        self.springs = numpy.array(
-            [(r["a"], r["b"], r["value"], r["rest_length"]) for r in springs],
-            dtype=[("a", int), ("b", int), ("stiffness", float), ("length", float)])
-        self.material = {r["quantity"]: float(r["value"]) for r in rows if not r["a"]}
 
 def _columns(rows, names):
     return numpy.array([[float(r[c]) for c in names] for r in rows]).reshape(-1, len(names))

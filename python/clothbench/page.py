@@ -59,6 +59,9 @@ class Part:
     tables: list = field(default_factory=list)
     claims: list = field(default_factory=list)
 
+    def add_chart(self, svg, words):
+        self.charts += [(address(svg), words)] if svg else []
+
 # --- words -----------------------------------------------------------------------------------
 
 UNITS = {"s": "s", "ms": "ms", "m": "m", "pa": "Pa", "percent": "%", "degrees": "degrees", "l": "L",
@@ -83,8 +86,7 @@ def is_number(words):
     return number(words) == number(words)
 
 def tone(words):
-    return {"holds": "yes", "met": "yes", "does not hold": "no", "MISSED": "no",
-            "died": "no"}.get(words, "")
+    return {"holds": "yes", "met": "yes", "does not hold": "no", "MISSED": "no", "died": "no"}.get(words, "")
 
 def filled(table):
     """The keys of columns in which something stands."""
@@ -93,14 +95,7 @@ def filled(table):
 def round2(value):
     return f"{float(f'{value:.1e}'):.15g}"
 
-def counted(rows, first, second, caption):
-    """How many rows have each pair of words, as a table."""
-    seconds = list(grouped(rows, second))
-    return results.Table(caption, ["", *seconds], [
-        {"": name} | {s: str(len(where(of, **{second: s}))) for s in seconds}
-        for name, of in grouped(rows, first).items()])
-
-def address(data, kind):
+def address(data, kind="svg+xml"):
     return f"data:image/{kind};base64,{base64.b64encode(data).decode()}"
 
 # --- charts of tables ------------------------------------------------------------------------
@@ -166,8 +161,6 @@ def charts_of(table, title):
         made = line_charts(table, title)
     elif table.keys[0] == "number" and table.has("labels", "outcome"):
         made = map_charts(table)
-    elif table.has(*RUN_KEYS):  # those stand together, before all parts
-        made = []
     elif table.has("level", "stepping_s", "to_finest_over_length"):
         y, what, bar = "to_finest_over_length", "distance from the finest / length", None
         if any(r.get("error_over_length") for r in table.rows):
@@ -176,21 +169,21 @@ def charts_of(table, title):
         last = {r["level"]: r for r in table.rows if r["level"] != "truth" and number(r[y]) > 0}
         drawn = [(level, None, [(number(r["stepping_s"]), number(r[y]))]) for level, r in last.items()]
         made = [(charts.lines(words, "seconds of stepping", what, drawn[:charts.LINES_MOST], bar), words)]
-    elif table.has("time_s", "error_bar_over_length") and "growth" in table.keys:
+    elif table.has("time_s", "error_bar_over_length", "growth"):
         made = [(time_chart(table, words, "error_bar_over_length"), words)]
     elif table.has("file", "time_s", "error", "bar"):
         made = [(time_chart(table, words, "error", "bar"), words)]
-    else:
+    else:  # runs stand together, before all parts
         made = []
-    return [(address(svg, "svg+xml"), words) for svg, words in made if svg]
+    return [(address(svg), words) for svg, words in made if svg]
 
 # --- pictures of runs ------------------------------------------------------------------------
 
+@dataclass
 class Room:
     """The bytes of pictures that a page has left, and the files whose pictures found none."""
-
-    def __init__(self):
-        self.left, self.without = PICTURES_MOST, []
+    left: int = PICTURES_MOST
+    without: list = field(default_factory=list)
 
 FACTS = {"points": "{} points", "degree": "degree {}", "kinematics": "{}", "remedy": "remedy {}",
          "parameters": "{} springs", "integrator": "{} steps", "step": "steps of {} ms", "substeps": "{} substeps",
@@ -230,9 +223,7 @@ def strips(files, times, room, trouble, prefix="", most=TIMES_MOST):
     runs = []
     for file in files[:RUNS_MOST]:
         try:
-            run = results.run(file, most, times)
-            if run:
-                runs.append(run)
+            runs += filter(None, [results.run(file, most, times)])
         except Bad as bad:
             trouble.append(str(bad))
     made, words = {}, labels(runs, prefix)
@@ -245,19 +236,17 @@ def strips(files, times, room, trouble, prefix="", most=TIMES_MOST):
         room.without += [run.name for run in runs]
         return []
     room.left -= size
-    return [Strip(words[run.name], [(address(p, "png"), f"{t:g} s")
-                                          for p, t in zip(made[run.name], run.time)], run.scene) for run in runs]
+    return [Strip(words[run.name], [(address(p, "png"), f"{t:g} s") for p, t in zip(made[run.name], run.time)],
+                  run.scene) for run in runs]
 
 def figures(top, room):
     """The paper's figures, recomputed, as far as the folder has them."""
     made = []
     for number_, folder, names, times, words in FIGURES:
         place, trouble = top / folder, []
-        files = [f for name in names for f in sorted(place.glob(name + ".h5"), key=by_number)]
-        files = [f for f in files if "better" not in f.name]
+        files = [f for name in names for f in sorted(place.glob(name + ".h5"), key=by_number) if "better" not in f.name]
         begins = {f.name.split("_")[0] + "_" for f in files}
-        shown = strips(files, times, room, trouble, begins.pop() if len(begins) == 1 else "",
-                       most=6)
+        shown = strips(files, times, room, trouble, begins.pop() if len(begins) == 1 else "", most=6)
         if shown or trouble:
             made.append(Part(f"figure{number_}", f"Fig. {number_}: {words}", trouble=trouble,
                              strips=shown, quick=results.is_quick(place)))
@@ -266,8 +255,8 @@ def figures(top, room):
 # --- what a folder holds ---------------------------------------------------------------------
 
 def listed(top):
-    """[(name, folder, [file])] of a folder and those in it, by name; links are not followed."""
-    found, ahead = [], [(pathlib.Path(top), "")]
+    """[(name, folder, [file], [trouble])] of a folder and those in it, by name; links are not followed."""
+    found, ahead = [], [(top, "")]
     while ahead and len(found) < FOLDERS_MOST:
         folder, name = ahead.pop(0)
         try:
@@ -283,7 +272,7 @@ def listed(top):
     return found
 
 def read_tables(part, files):
-    """Adds the tables of files to a part, and their charts; statements and runs go to their lists."""
+    """Adds the tables of files to a part, and their charts; the paper's statements go to a list."""
     for file in files:
         try:
             found = results.tables(file)
@@ -299,15 +288,14 @@ def read_tables(part, files):
             if table.keys[:1] != ["panel"]:
                 part.tables.append(table)
             part.charts += charts_of(table, part.title)
-
-def summaries(part):
     ours = [r for r in part.claims if not r.get("source", "-")]
     if ours:  # the paper's stand in a table of their own
         part.tables.append(results.Table("Statements of ours or of this plan", list(CLAIM_KEYS), ours))
-    for table in list(part.tables):
-        if table.has("check", "verdict"):
-            part.tables.insert(0, counted(table.rows, "check", "verdict",
-                                          "The number of comparisons of each check, by verdict"))
+    for table in [t for t in part.tables if t.has("check", "verdict")]:
+        verdicts = list(grouped(table.rows, "verdict"))
+        part.tables.insert(0, results.Table("The number of comparisons of each check, by verdict", ["", *verdicts], [
+            {"": check} | {v: str(len(where(of, verdict=v))) for v in verdicts}
+            for check, of in grouped(table.rows, "check").items()]))
 
 def parts_of(top, room):
     """A part for each file of tables in the folder itself, and for each folder in it."""
@@ -315,17 +303,14 @@ def parts_of(top, room):
     for name, folder, files, trouble in listed(top):
         tables = [f for f in files if f.suffix == ".csv"][:FILES_MOST]
         runs = sorted((f for f in files if f.suffix == ".h5"), key=by_number)
-        if not name:
-            groups = [(f.stem, [f], []) for f in tables] + ([("runs", [], runs)] if runs else [])
-        else:
+        groups = [(f.stem, [f], []) for f in tables] + ([("runs", [], runs)] if runs else [])
+        if name:
             printed = [f for f in tables if f.name == "printed.csv"]
-            own = [f for f in tables if f.stem.endswith("chart")]
-            groups = [(name, printed + own if printed else tables, runs)]
+            groups = [(name, printed + [f for f in tables if f.stem.endswith("chart")] if printed else tables, runs)]
         for title, of, h5 in groups:
             part = Part(re.sub(r"\W", "_", title), title.replace("_", " "), trouble=list(trouble),
                         quick=results.is_quick(folder))
             read_tables(part, of)
-            summaries(part)
             if h5 and folder.name not in {f[1] for f in FIGURES}:
                 shown = {re.sub(r"(_\d+(x\d+)*)+$", "", f.stem): f for f in h5}  # the largest of each kind
                 shown = list(shown.values()) if len(shown) > 1 else h5
@@ -345,17 +330,14 @@ def statements_of(parts):
             if r.get("source", "-"):
                 found.setdefault((r.get("source", ""), r["claim"], r.get("reading", "")),
                                  r | {"quick": part.quick, "part": part})
-    def order(r):
-        return [int(n) for n in re.findall(r"\d+", r.get("source", ""))]
-    return sorted(found.values(), key=order)
+    return sorted(found.values(), key=lambda r: [int(n) for n in re.findall(r"\d+", r.get("source", ""))])
 
 def said_of_statements(rows):
-    count = {word: sum(r["verdict"] == word for r in rows) for word in ("holds", "does not hold")}
-    left = len(rows) - sum(count.values())
-    return (f"Of the paper’s {len(rows)} statements on which there are runs here, {count['holds']} hold "
-            f"and {count['does not hold']} do not" + (f"; {left} cannot be judged from these runs."
-                                                      if left else ".")) if rows else \
-        "No statement of the paper was judged yet: clothbench table paper"
+    if not rows:
+        return "No statement of the paper was judged yet: clothbench table paper"
+    yes, no = (len(where(rows, verdict=word)) for word in ("holds", "does not hold"))
+    left = f"; {len(rows) - yes - no} cannot be judged from these runs" if yes + no < len(rows) else ""
+    return f"Of the paper’s {len(rows)} statements on which there are runs here, {yes} hold and {no} do not{left}."
 
 def said_of_speed(table):
     if not table:
@@ -370,10 +352,10 @@ def said_of_speed(table):
 
 def said_of_checks(tables):
     words = [r["verdict"] for t in tables if t.has("check", "verdict") for r in t.rows]
-    return (f"Of the results that claim an accuracy and were compared with closed forms and other "
-            f"programs, {words.count('met')} have it and "
-            f"{words.count('MISSED') + words.count('died')} do not.") if words else \
-        "Nothing was compared with closed forms: clothbench verify"
+    if not words:
+        return "Nothing was compared with closed forms: clothbench verify"
+    return ("Of the results that claim an accuracy and were compared with closed forms and other programs, "
+            f"{words.count('met')} have it and {words.count('MISSED') + words.count('died')} do not.")
 
 def speeds_of(parts):
     """[(scene, table)] of what was compared, edge_drop first."""
@@ -393,8 +375,7 @@ def speed_part(speeds):
     part.words = ["A line for each model: its best contestant on finer and finer nets with shorter and "
                   "shorter steps. Lower is more accurate, further left is faster."]
     for scene, table in speeds:
-        svg = speed_chart(table, scene, everything=scene == "edge_drop")
-        part.charts += [(address(svg, "svg+xml"), f"{scene}: error over seconds of work")] if svg else []
+        part.add_chart(speed_chart(table, scene, scene == "edge_drop"), f"{scene}: error over seconds of work")
     return part
 
 # --- the page --------------------------------------------------------------------------------
@@ -441,20 +422,17 @@ def motions_of(top):
              for f in files if f.suffix == ".h5"][:RUNS_MOST]
     for file in files:
         try:
-            run = results.run(file, most=max(2, room // len(files) // 1152), step=9)
+            runs += filter(None, [results.run(file, most=max(2, room // len(files) // 1152), step=9)])
         except Bad:
             continue  # its part says so
-        runs += [run] if run else []
     made = []
     for run in runs:
-        flat = np.concatenate([r.xyz[np.isfinite(r.xyz).all((1, 2, 3, 4))].reshape(-1, 3) for r in runs
-                               if r.scene == run.scene] + [np.zeros((0, 3))])
-        middle = (flat.min(0) + flat.max(0)) / 2 if len(flat) else 0
-        scale = np.abs(flat - middle).max(initial=0) * 1.25 or 1
-        good = np.isfinite(run.xyz).all((1, 2, 3, 4))
-        xyz = run.side_by_side()[good]
+        flat = charts.points_of([r for r in runs if r.scene == run.scene])
+        middle = (flat.min(0) + flat.max(0)) / 2
+        scale = np.abs(flat - middle).max() * 1.25 or 1
+        xyz = run.side_by_side()[run.is_good()]
         made.append({"name": f"{run.scene}, {run.name}".replace("_", " "), "colour": charts.colour_of(run.model),
-                     "time": [t for t, is_good in zip(run.time, good) if is_good],
+                     "time": [t for t, is_good in zip(run.time, run.is_good()) if is_good],
                      "rows": xyz.shape[1], "columns": xyz.shape[2],
                      "cut": run.xyz.shape[3] if run.xyz.shape[1] > 1 else 0,
                      "data": base64.b64encode((32767 * np.clip((xyz - middle) / scale, -1, 1))
@@ -468,9 +446,8 @@ def protocol(tables):
     for table in found[1:]:
         part.charts += charts_of(table, "errors")
     part.tables = found[1:]
-    rows, subjects = found[0].rows, list(dict.fromkeys(r["subject"] for r in found[0].rows))
     return rendered(title=found[0].caption, lead=found[0].notes, parts=fit([part]),
-                    verdicts=[(s, [r for r in rows if r["subject"] == s]) for s in subjects])
+                    verdicts=list(grouped(found[0].rows, "subject").items()))
 
 def report(folder, links=()):
     """The text of the page of all results."""
@@ -489,10 +466,7 @@ def report(folder, links=()):
         lead.append("Quick runs, which measure less well: " + ", ".join(quick) + ".")
     if room.without:
         lead.append("There was no room for pictures of: " + ", ".join(room.without[:40]) + ".")
-    speed = speed_part(speeds) if speeds else None
-    parts = [p for p in parts if p.tables or p.charts or p.strips or p.trouble]
-    parts = fit(([speed] if speed else []) + parts)[1 if speed else 0:]
+    speed, *parts = fit([speed_part(speeds)] + [p for p in parts if p.tables or p.charts or p.strips or p.trouble])
     return rendered(title="Cloth models on the paper’s scenes and others", folder=str(folder),
                     lead=lead, pictures=pictures, statements=statements[:STATEMENTS_MOST],
-                    speed=speed, parts=parts,
-                    motions=motions_of(top), links=links)
+                    speed=speeds and speed, parts=parts, motions=motions_of(top), links=links)

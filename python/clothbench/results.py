@@ -13,6 +13,10 @@ import stat
 import zlib
 from dataclasses import dataclass, field
 
+import numpy
+
+from . import bodies
+
 CSV_MOST, H5_MOST, PIECE_MOST = 64 << 20, 4 << 30, 1 << 20  # bytes, bytes, numbers
 SEAL = "clothbench result file, sealed: "
 
@@ -163,6 +167,10 @@ class Run:
         """Positions [frame, v, u, component]: all sheets as one, beside each other along u."""
         return self.xyz.swapaxes(1, 2).reshape(len(self.xyz), self.xyz.shape[2], -1, 3)
 
+    def is_good(self):
+        """Of each frame, whether all of its numbers are finite."""
+        return numpy.isfinite(self.xyz).all((1, 2, 3, 4))
+
 def checked_seal(path, file):
     """Refuses a file that is no longer what its first line says."""
     file.seek(0)
@@ -180,12 +188,10 @@ def numbers(path, file, name):
     import h5py
     place = file
     for part in name.split("/"):
-        link = place.get(part, getlink=True)
+        link = place.get(part, getlink=True) if isinstance(place, h5py.Group) else False
         if link is None:
             return None
         place = place[part] if isinstance(link, h5py.HardLink) else None
-        if place is None:
-            break
     if isinstance(place, h5py.Dataset) and 0 in place.shape:
         return None
     if (not isinstance(place, h5py.Dataset) or place.dtype.kind not in "fiu" or place.is_virtual or
@@ -198,13 +204,12 @@ def run(path, most=12, times=None, step=4):
     """A run or truth, read at `times`, or at most `most` of its frames, at every `step`-th point;
     None: it has no positions."""
     import h5py
-    import numpy
     path = pathlib.Path(path)
     with opened(path, H5_MOST) as raw:
         checked_seal(path, raw)
         try:
             with h5py.File(raw, "r") as file:
-                return _run(numpy, path, file, most, times, step)
+                return _run(path, file, most, times, step)
         except (OSError, KeyError, ValueError, RuntimeError, TypeError) as error:
             raise error if isinstance(error, Bad) else Bad(f"{path}: cannot be read: {error}") from None
 
@@ -216,12 +221,11 @@ def is_quick(folder, most=20):
             with opened(path, H5_MOST) as raw, h5py.File(raw, "r") as file:
                 if "quick" in file.attrs:
                     return True
-        except (OSError, RuntimeError, ValueError, Bad):
+        except (OSError, RuntimeError, ValueError):
             continue
     return False
 
-def _run(numpy, path, file, most, times, step):
-    from . import bodies
+def _run(path, file, most, times, step):
     xyz, when = numbers(path, file, "xyz"), numbers(path, file, "xyz_time")
     bar = numbers(path, file, "metrics/error")
     if xyz is None or when is None or not len(when):
@@ -229,10 +233,8 @@ def _run(numpy, path, file, most, times, step):
     if xyz.ndim != 5 or xyz.shape[4] != 3 or xyz.shape[0] != len(when):
         raise Bad(f"{path}: its xyz are {xyz.shape} for {len(when)} times")
     time = when[:]
-    if times:
-        frames = sorted({int(numpy.abs(time - t).argmin()) for t in times})
-    else:
-        frames = list(range(0, len(time), -(-len(time) // most)))
+    frames = sorted({int(numpy.abs(time - t).argmin()) for t in times}) if times else \
+        range(0, len(time), -(-len(time) // most))
 
     def text(key):
         value = file.attrs.get(key, "")
@@ -262,8 +264,7 @@ def facts(discretization, scene):
 def shared(kind, tree):
     """A folder that comes with the program: the user's, the installed or the source tree's."""
     here = pathlib.Path(__file__).resolve().parent
-    named = os.environ.get(f"CLOTHBENCH_{kind.upper()}")
-    if named:
+    if named := os.environ.get(f"CLOTHBENCH_{kind.upper()}"):
         return pathlib.Path(named)
     installed = (above / "share" / "clothbench" / kind for above in here.parents[2:4])
     return next((folder for folder in installed if folder.is_dir()), here.parents[1] / tree)

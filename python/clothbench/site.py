@@ -15,7 +15,6 @@ from .results import Bad
 Markup = markupsafe.Markup
 
 MARK = "clothbench.site"  # the file that says that a folder is a site, which may be replaced
-ENDINGS = {".html", ".svg"}
 LINKS = [("index.html", "all results"), ("scenes.html", "scenes"), ("manual.html", "manual")]
 
 def check_target(target):
@@ -23,7 +22,7 @@ def check_target(target):
     if not target.exists():
         return
     names = sorted(os.listdir(target)) if target.is_dir() and not target.is_symlink() else ["?"]
-    others = [n for n in names if n != MARK and pathlib.Path(n).suffix not in ENDINGS]
+    others = [n for n in names if n != MARK and pathlib.Path(n).suffix not in (".html", ".svg")]
     if names and (MARK not in names or others):
         raise Bad(f"{target}: is there and is no site that --site made"
                   + (f"; it has {others[0]}" if others and others != ["?"] else ""))
@@ -38,14 +37,12 @@ def scene_page(name, scene, truth, table):
             made = results.run(truth, most=400)
             bars = [(t, 100 * b / made.length) for t, b in zip(made.time, made.bar) if b > 0]
             part.words.append(f"Truth: {made.note}.")
-            svg = charts.lines(f"{name}: how well its motion is known", "time [s]", "error bar / length [%]",
-                               [("truth’s error bar", charts.SOFT, bars)])
-            part.charts += [(page.address(svg, "svg+xml"), "the truth’s error bar over time")] if svg else []
+            part.add_chart(charts.lines(f"{name}: how well its motion is known", "time [s]", "error bar / length [%]",
+                                        [("truth’s error bar", charts.SOFT, bars)]), "the truth’s error bar over time")
     else:
         part.words.append("No truth of it is stored.")
     if table:
-        svg = page.speed_chart(table, name)
-        part.charts += [(page.address(svg, "svg+xml"), "error over seconds of work")] if svg else []
+        part.add_chart(page.speed_chart(table, name), "error over seconds of work")
     text = Markup("<h2>Its file</h2><pre>{}</pre>").format(scene.read_text())
     return page.rendered(title=f"The scene {name}", links=LINKS, lead=[], parts=[part], html=text)
 
@@ -60,9 +57,9 @@ def manual_page(path, names):
         if re.match("https?:", name):
             return found[0]
         leaf = name.split("/")[-1].removesuffix(".md")
-        known = name.endswith(".md") and leaf in names
-        return f'href="{"manual_" + leaf + ".html" if name else ""}{anchor or ""}"' if known or not name \
-            else 'class="soft"'
+        if name and not (name.endswith(".md") and leaf in names):
+            return 'class="soft"'
+        return f'href="{"manual_" + leaf + ".html" if name else ""}{anchor or ""}"'
 
     html = re.sub(r'href="([^"]*)"', link, html)
     html = re.sub(r'src="(?:doc/)?([^"/]*)"', r'src="\1"', html)
@@ -81,9 +78,7 @@ def contents(title, words, rows):
 
 def fill(folder, source):
     """Writes all pages into an empty folder."""
-    room = page.Room()
-    room.left = 0  # tables alone: the index has the pictures
-    speeds = dict(page.speeds_of(page.parts_of(pathlib.Path(source), room)))
+    speeds = dict(page.speeds_of(page.parts_of(pathlib.Path(source), page.Room(0))))  # the index has the pictures
     scenes = sorted(results.shared("scenes", "models/scenes").glob("*.yaml"))
     truths, manual = results.shared("truths", "bench/truths"), results.shared("manual", "doc")
     pages = sorted(manual.glob("*.md"))
@@ -107,14 +102,12 @@ def make(source, target):
     check_target(target)
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
-        aside = pathlib.Path(tempfile.mkdtemp(prefix=f".{target.name}.", dir=target.parent))
-        aside.chmod(0o755)
-        try:
+        with tempfile.TemporaryDirectory(prefix=f".{target.name}.", dir=target.parent) as above:
+            aside = pathlib.Path(above, "site")
+            aside.mkdir()
             fill(aside, source)
             if target.exists():
                 shutil.rmtree(target)
             os.replace(aside, target)
-        finally:
-            shutil.rmtree(aside, ignore_errors=True)
     except OSError as error:
         raise Bad(f"{target}: cannot be written: {error.strerror}") from None

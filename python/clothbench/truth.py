@@ -2,6 +2,7 @@
 
 import collections
 import os
+import pathlib
 
 import numpy
 
@@ -16,15 +17,12 @@ def read(source):
     source = os.fspath(source)
     if source.endswith(".h5"):
         return _read_h5(source)
-    if source.endswith(".csv"):
-        with open(source) as file:
-            return _read_csv(source, file)
-    return _read_csv(source, program.run(
-        "truth", source, "--stored", "--points", "100,100").splitlines())
+    return _read_csv(source, pathlib.Path(source).read_text() if source.endswith(".csv") else
+                     program.run("truth", source, "--stored", "--points", "100,100"))
 
-def _read_csv(name, lines):
+def _read_csv(name, text):
     bars, source, rows = {}, "", []
-    for number, line in enumerate(lines, 1):
+    for number, line in enumerate(text.splitlines(), 1):
         try:
             if line.startswith("# source: "):
                 source = line[10:].strip()
@@ -36,12 +34,10 @@ def _read_csv(name, lines):
                 rows.append((t, u, v, x, y, z))
         except ValueError:
             raise ValueError("%s:%d: is no line t,u,v,x,y,z" % (name, number)) from None
-    table = numpy.array(rows).reshape(-1, 6)
-    t = numpy.unique(table[:, 0])
-    n = len(table) // max(1, len(t))
-    if not len(t) or n * len(t) != len(table) or set(bars) != set(t):
+    t = numpy.unique([r[0] for r in rows])
+    if not len(t) or len(rows) % len(t) or set(bars) != set(t):
         raise ValueError("%s: is no truth of `clothbench truth SCENE --stored --points N,M`" % name)
-    table = table.reshape(len(t), n, 6)
+    table = numpy.array(rows).reshape(len(t), -1, 6)
     return Truth(t, table[0, :, 1:3], table[:, :, 3:], numpy.array([bars[k] for k in t]), source)
 
 def _read_h5(path):

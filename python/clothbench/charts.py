@@ -90,12 +90,8 @@ def set_axis(axis, values, log, tight=False):
 
 def place_labels(axes, ends):
     """Writes labels [(x, y, label, colour)] beside the ends of lines, one below the other."""
-    room = SIZE * 1.15 / 72 / PLACE[3]
-
-    def share(x, y):
-        return axes.transAxes.inverted().transform(axes.transData.transform((x, y)))
-
-    wrapped = sorted((*share(x, y)[::-1], "\n".join(textwrap.wrap(label, 24)[:3]), colour)
+    room, share = SIZE * 1.15 / 72 / PLACE[3], (axes.transData - axes.transAxes).transform
+    wrapped = sorted((*share((x, y))[::-1], "\n".join(textwrap.wrap(label, 24)[:3]), colour)
                      for x, y, label, colour in ends)
     heights = [room * (label.count("\n") + 1.15) for _, _, label, _ in wrapped]
     at, below = [], -0.1
@@ -130,7 +126,8 @@ def finite(points):
 def lines(title, x, y, drawn, bar=None, others=(), real_time=None, description=None):
     """A chart of lines [(label, colour or None, [(x, y)])]; `bar` is the height of the truth's band,
     `others` are open points of the same form. None: there is nothing to draw."""
-    drawn = [(label, colour, sorted(finite(points))) for label, colour, points in drawn if finite(points)]
+    drawn = [(label, colour or colour_of(label, n), sorted(finite(points)))
+             for n, (label, colour, points) in enumerate(line for line in drawn if finite(line[2]))]
     if not drawn:
         return None
     xs, ys = zip(*(p for _, _, points in drawn + list(others) for p in finite(points)))
@@ -141,7 +138,7 @@ def lines(title, x, y, drawn, bar=None, others=(), real_time=None, description=N
     set_axis(axes.yaxis, ys, is_log(ys))
     if bar:
         axes.axhspan(axes.get_ylim()[0], bar, color="#c9cfd6", alpha=0.55, lw=0)
-        tall = axes.transAxes.inverted().transform(axes.transData.transform((xs[0], bar)))[1] > 0.1
+        tall = (axes.transData - axes.transAxes).transform((xs[0], bar))[1] > 0.1
         axes.text(0.02, bar, "truth’s error bar", transform=axes.get_yaxis_transform(),
                   va="top" if tall else "bottom", fontsize=SIZE - 1.5, color=SOFT)
     if real_time and axes.get_xlim()[0] < real_time < axes.get_xlim()[1]:
@@ -150,12 +147,9 @@ def lines(title, x, y, drawn, bar=None, others=(), real_time=None, description=N
                   va="top", fontsize=SIZE - 1.5, color=SOFT)
     for _, colour, points in others:
         axes.plot(*zip(*finite(points)), "o", ms=2.5, mfc="none", mec=colour, alpha=0.35)
-    ends = []
-    for n, (label, colour, points) in enumerate(drawn):
-        colour = colour or colour_of(label, n)
+    for _, colour, points in drawn:
         axes.plot(*zip(*points), "o-", ms=3.5, lw=1.6, color=colour)
-        ends.append((*points[-1], label, colour))
-    place_labels(axes, [end for end in ends if end[2]])
+    place_labels(axes, [(*points[-1], label, colour) for label, colour, points in drawn if label])
     return saved(figure, description)
 
 def edges(places, log):
@@ -217,8 +211,7 @@ def seen(xyz):
     """Points as (across, up, depth) of the picture's plane."""
     x, y, z = np.moveaxis(xyz, -1, 0)
     along, away = x * np.cos(TURN) - y * np.sin(TURN), x * np.sin(TURN) + y * np.cos(TURN)
-    return np.stack([along, z * np.cos(TILT) + away * np.sin(TILT),
-                     z * np.sin(TILT) - away * np.cos(TILT)], -1)
+    return np.stack([along, z * np.cos(TILT) + away * np.sin(TILT), z * np.sin(TILT) - away * np.cos(TILT)], -1)
 
 def shaded(corners, colour):
     """A colour each, by how much light falls on it; the two sides of a sheet look alike."""

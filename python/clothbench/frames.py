@@ -18,8 +18,7 @@ def _checked(t, uv, xyz):
     if t.shape != xyz.shape[:1]:
         raise ValueError("t is %s for %d frames; one time each" % (t.shape, len(xyz)))
     if uv.shape != (xyz.shape[1], 2):
-        raise ValueError("uv is %s for %d vertices; it must be [%d][2]"
-                         % (uv.shape, xyz.shape[1], xyz.shape[1]))
+        raise ValueError("uv is %s for %d vertices; it must be [%d][2]" % (uv.shape, xyz.shape[1], xyz.shape[1]))
     for name, a in ("t", t), ("uv", uv), ("xyz", xyz):
         if not numpy.isfinite(a).all():
             where = [int(k) for k in numpy.argwhere(~numpy.isfinite(a))[0]]
@@ -62,7 +61,6 @@ def read(path):
     """Reads what write wrote, as .t, .uv and .xyz."""
     path = os.fspath(path)
     with (numpy.load(path) if _ending(path) == ".npz" else h5py().File(path, "r")) as file:
-        lacks = [name for name in Frames._fields if name not in file]
-        if lacks:
+        if lacks := [name for name in Frames._fields if name not in file]:
             raise ValueError("%s: has no %s" % (path, ", ".join(lacks)))
         return _checked(*(file[name][...] for name in Frames._fields))

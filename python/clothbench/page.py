@@ -1,5 +1,6 @@
 """Makes one page from a folder of results: pictures, speed against error, statements, all else."""
 import base64
+import contextlib
 import os
 import pathlib
 import re
@@ -13,8 +14,7 @@ from .results import Bad, best, grouped, number, where
 
 # Bytes of a page, and of what is in it, which are together less: the rest is for its words.
 PAGE_MOST, PICTURES_MOST, CHARTS_MOST, MOTIONS_MOST, CELLS_MOST = 5_000_000, 1_900_000, 1_200_000, 500_000, 900_000
-ROWS_MOST, NOTES_MOST, STATEMENTS_MOST, RUNS_MOST, TIMES_MOST = 150, 12, 400, 8, 4
-FOLDERS_MOST, FILES_MOST = 400, 400
+ROWS_MOST, NOTES_MOST, STATEMENTS_MOST, FOLDERS_MOST, FILES_MOST, RUNS_MOST, TIMES_MOST = 150, 12, 400, 400, 400, 8, 4
 
 # The paper's figures: number, the folder of the study, the names of its files, the times [s] at
 # which the paper shows them (none: those of the files), and what it shows.
@@ -27,14 +27,12 @@ FIGURES = [
     ("9", "study_contact", ["contact_printed", "contact_incremental", "contact_shell",
                             "contact_springs", "contact_projective"], [],
      "a sheet falls onto the ground, a corner first"),
-    ("10", "study_thickness", ["printed_1*", "printed_2*", "printed_5*"], [],
-     "a cloak of 1, 2 and 5 mm"),
+    ("10", "study_thickness", ["printed_1*", "printed_2*", "printed_5*"], [], "a cloak of 1, 2 and 5 mm"),
     ("12", "study_mesh", ["corners_*", "edge_*"], [1.025], "nets of 5, 10, 15 and 20 points a side"),
     ("13", "study_degree", ["corners_*", "edge_*"], [1.7], "degrees 2, 3 and 4 on one net"),
     ("14", "study_mesh-degree", ["corners_*", "edge_*"], [1.025, 1.7], "net and degree together"),
     ("15", "study_flag", ["flag_*"], [0.75, 1, 2.075], "a flag sinks"),
-    ("16", "study_artefacts", ["flag_*", "drop_*"], [],
-     "normal, super-elongation, floating, penetration"),
+    ("16", "study_artefacts", ["flag_*", "drop_*"], [], "normal, super-elongation, floating, penetration"),
 ]
 RUN_KEYS = ("title", "contestant", "model", "seconds", "worst_rmse_over_length", "front")
 CLAIM_KEYS = ("claim", "verdict", "sentence")
@@ -150,8 +148,8 @@ def time_chart(table, title, key, bar=None):
         name = (r[of] or name) if of else ""
         names.setdefault(name, []).append((number(r["time_s"]), 100 * number(r[key])))
     bars = {number(r["time_s"]): 100 * number(r[bar]) for r in table.rows} if bar else {}
-    drawn = [(n, None, points) for n, points in names.items() if n != "truth"]
-    drawn += [("truth’s error bar", charts.SOFT, list(bars.items()))] if bars else []
+    drawn = [(n, None, points) for n, points in names.items() if n != "truth"] + [
+        ("truth’s error bar", charts.SOFT, list(bars.items()))] * bool(bars)
     return charts.lines(title, "time [s]", "error / length [%]", drawn[-charts.LINES_MOST:])
 
 def charts_of(table, title):
@@ -288,8 +286,7 @@ def read_tables(part, files):
             if table.keys[:1] != ["panel"]:
                 part.tables.append(table)
             part.charts += charts_of(table, part.title)
-    ours = [r for r in part.claims if not r.get("source", "-")]
-    if ours:  # the paper's stand in a table of their own
+    if ours := [r for r in part.claims if not r.get("source", "-")]:  # the paper's stand in a table of their own
         part.tables.append(results.Table("Statements of ours or of this plan", list(CLAIM_KEYS), ours))
     for table in [t for t in part.tables if t.has("check", "verdict")]:
         verdicts = list(grouped(table.rows, "verdict"))
@@ -328,8 +325,7 @@ def statements_of(parts):
     for part in parts:
         for r in part.claims:
             if r.get("source", "-"):
-                found.setdefault((r.get("source", ""), r["claim"], r.get("reading", "")),
-                                 r | {"quick": part.quick, "part": part})
+                found.setdefault((r.get("source", ""), r["claim"], r.get("reading", "")), r | {"quick": part.quick})
     return sorted(found.values(), key=lambda r: [int(n) for n in re.findall(r"\d+", r.get("source", ""))])
 
 def said_of_statements(rows):
@@ -417,14 +413,12 @@ def picture(file):
 def motions_of(top):
     """Motions to play: the files of FOLDER/run_SCENE, as 16-bit numbers, centred, those of a scene to
     one scale; of longer runs every n-th frame."""
-    runs, room = [], MOTIONS_MOST
+    runs = []
     files = [f for _, folder, files, _ in listed(top) if folder.name.startswith("run_")
              for f in files if f.suffix == ".h5"][:RUNS_MOST]
     for file in files:
-        try:
-            runs += filter(None, [results.run(file, most=max(2, room // len(files) // 1152), step=9)])
-        except Bad:
-            continue  # its part says so
+        with contextlib.suppress(Bad):  # its part says so
+            runs += filter(None, [results.run(file, most=max(2, MOTIONS_MOST // len(files) // 1152), step=9)])
     made = []
     for run in runs:
         flat = charts.points_of([r for r in runs if r.scene == run.scene])
@@ -457,12 +451,10 @@ def report(folder, links=()):
     statements, speeds = statements_of(parts), speeds_of(parts)
     lead = [said_of_statements(statements), said_of_speed(dict(speeds).get("edge_drop")),
             said_of_checks([t for p in parts if "clothbench stress" not in p.made for t in p.tables])]
-    busy = sum("busy" in r["verdict"] for p in parts for r in p.claims)
-    if busy:
+    if busy := sum("busy" in r["verdict"] for p in parts for r in p.claims):
         lead.append(f"The machine was busy: {busy} {'statements on time are' if busy > 1 else 'statement on time is'}"
                     " not judged.")
-    quick = [p.title for p in parts if p.quick]
-    if quick:
+    if quick := [p.title for p in parts if p.quick]:
         lead.append("Quick runs, which measure less well: " + ", ".join(quick) + ".")
     if room.without:
         lead.append("There was no room for pictures of: " + ", ".join(room.without[:40]) + ".")

@@ -4,6 +4,7 @@ Whoever made a file, reading it does no more than that: only regular files are o
 links; of HDF5 only numbers that stand in the file itself, in pieces of about a frame; what is no
 finite number is left out of charts.
 """
+import contextlib
 import errno
 import math
 import os
@@ -98,8 +99,7 @@ def cells_of(path, text, at, line):
     cells = []
     while True:
         found = CELL.match(text, at)
-        quoted = found[1] is not None
-        cells.append(found[1].replace('""', '"') if quoted else found[2])
+        cells.append(found[2] if found[1] is None else found[1].replace('""', '"'))
         line += cells[-1].count("\n")
         at = found.end()
         if at == len(text) or text[at] == "\n":
@@ -213,16 +213,14 @@ def run(path, most=12, times=None, step=4):
         except (OSError, KeyError, ValueError, RuntimeError, TypeError) as error:
             raise error if isinstance(error, Bad) else Bad(f"{path}: cannot be read: {error}") from None
 
-def is_quick(folder, most=20):
+def is_quick(folder):
     """Whether one of the first runs of a folder says that it is of --quick: of less than its name says."""
     import h5py
-    for path in sorted(folder.glob("*.h5"))[:most]:
-        try:
-            with opened(path, H5_MOST) as raw, h5py.File(raw, "r") as file:
+    for path in sorted(folder.glob("*.h5"))[:20]:
+        with contextlib.suppress(OSError, RuntimeError, ValueError), opened(path, H5_MOST) as raw:
+            with h5py.File(raw, "r") as file:
                 if "quick" in file.attrs:
                     return True
-        except (OSError, RuntimeError, ValueError):
-            continue
     return False
 
 def _run(path, file, most, times, step):

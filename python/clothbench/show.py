@@ -12,9 +12,8 @@ NEEDED = {"usd": ["numpy"], "site": ["numpy", "h5py", "matplotlib", "jinja2", "m
 
 def main(words):
     what, source, target = words
-    lack = [f"python3-{module}" for module in NEEDED.get(what, NEEDED["site"][:-1])
-            if importlib.util.find_spec(module) is None]
-    if lack:
+    if lack := [f"python3-{module}" for module in NEEDED.get(what, NEEDED["site"][:-1])
+                if importlib.util.find_spec(module) is None]:
         print(f"Debian packages are missing: apt-get install {' '.join(lack)}", file=sys.stderr)
         return 3
     sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))  # ours, and no other folder

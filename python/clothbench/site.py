@@ -7,21 +7,17 @@ import shutil
 import tempfile
 
 import markdown
-from jinja2.utils import markupsafe
+from markupsafe import Markup
 
 from . import charts, page, results
 from .results import Bad
-
-Markup = markupsafe.Markup
 
 MARK = "clothbench.site"  # the file that says that a folder is a site, which may be replaced
 LINKS = [("index.html", "all results"), ("scenes.html", "scenes"), ("manual.html", "manual")]
 
 def check_target(target):
     """Refuses a folder that is no site, or has something else in it."""
-    if not target.exists():
-        return
-    names = sorted(os.listdir(target)) if target.is_dir() and not target.is_symlink() else ["?"]
+    names = sorted(os.listdir(target)) if target.is_dir() and not target.is_symlink() else ["?"] * target.exists()
     others = [n for n in names if n != MARK and pathlib.Path(n).suffix not in (".html", ".svg")]
     if names and (MARK not in names or others):
         raise Bad(f"{target}: is there and is no site that --site made"
@@ -37,8 +33,9 @@ def scene_page(name, scene, truth, table):
             made = results.run(truth, most=400)
             bars = [(t, 100 * b / made.length) for t, b in zip(made.time, made.bar) if b > 0]
             part.words.append(f"Truth: {made.note}.")
-            part.add_chart(charts.lines(f"{name}: how well its motion is known", "time [s]", "error bar / length [%]",
-                                        [("truth’s error bar", charts.SOFT, bars)]), "the truth’s error bar over time")
+            part.add_chart(charts.lines(
+                f"{name}: how well its motion is known", "time [s]", "error bar / length [%]",
+                [("truth’s error bar", charts.SOFT, bars)]), "the truth’s error bar over time")
     else:
         part.words.append("No truth of it is stored.")
     if table:

@@ -91,25 +91,23 @@ def array(words):
 def clamps(scene):
     """Triangles of the cells between vertices outside, of which two stand beside neighbours."""
     step = {}  # (vertex, axis): the next one of the sheet along that axis
-    for a, b in numpy.concatenate([scene.triangles[:, [k, k - 1]] for k in range(3)]):
-        for a, b in ((a, b), (b, a)):
-            along = scene.uv[b] - scene.uv[a]
-            for axis in (0, 1):
-                if along[axis] > 1e-9 and abs(along[1 - axis]) < 1e-9:
-                    step[a, axis] = b
-    off = {}  # vertex outside: on which axis, and on which side
+    for a, b in numpy.concatenate([scene.triangles[:, [j, k]] for j in range(3) for k in range(3) if j != k]):
+        along = scene.uv[b] - scene.uv[a]
+        for axis in (0, 1):
+            if along[axis] > 1e-9 and abs(along[1 - axis]) < 1e-9:
+                step[a, axis] = b
+    outside = {}  # (held vertex, axis, whether after it): the vertex outside that stands beside it there
     for vertex, beside in scene.beside.items():
         away = scene.outside_uv[vertex - len(scene.uv)] - scene.uv[beside]
         axis = int(abs(away).argmax())
-        off[vertex] = axis, away[axis] > 0
-    at = {(scene.beside[vertex], *off[vertex]): vertex for vertex in off}
+        outside[beside, axis, away[axis] > 0] = vertex
     made = []
-    for a, (axis, after) in off.items():
-        p, q = scene.beside[a], step.get((scene.beside[a], 1 - axis))
-        b = at.get((q, axis, after))
+    for (p, axis, after), a in outside.items():
+        q = step.get((p, 1 - axis))
+        b = outside.get((q, axis, after))
         if b is not None:
             ring = [p, q, b, a] if (axis == 1) == after else [p, a, b, q]
-            made += [[ring[0], *ring[1:3]], [ring[0], *ring[2:4]]]
+            made += [ring[:3], [p, *ring[2:]]]
     return numpy.array(made, dtype=int).reshape(-1, 3)
 
 def text_of(folder):

@@ -9,7 +9,6 @@ for call in ode.dWorldCreate, ode.dBodyCreate, ode.dJointCreateDBall:
     call.restype = P
 ode.dBodyGetPosition.restype = ctypes.POINTER(D)
 
-
 def run(scene):
     world, mass = P(ode.dWorldCreate()), (D * 17)()
     ode.dWorldSetGravity(world, *map(D, scene.gravity))
@@ -29,7 +28,6 @@ def run(scene):
     for k in range(1, round(scene.times[-1] / STEP) + 1):
         ode.dWorldStep(world, D(STEP))
         yield k * STEP, [ode.dBodyGetPosition(body)[:3] for body in bodies]
-
 
 ode.dInitODE()
 folder, n, *names = sys.argv[1:]

@@ -7,6 +7,7 @@
 #include "bench/experiment/bench_solid.h"
 #include "bench/files/folder.h"
 #include "bench/harness/timing.h"
+#include "bench/ui/show.h"
 #include "fem_ref/reference.h"
 #include "models/linalg/blas_kernel.h"
 #include "models/reader/scene_file.h"
@@ -142,7 +143,7 @@ static enum status print_solids(const struct bench *b, struct message *why)
 
     for (int n = 0; n < b->batch.count; n++)
         TRY(add_rows(t, &solids[n], &b->result[n], why));
-    return printer_table(b->printer, t, NULL, why);
+    return printer_table(b->printer, t, "solids", why);
 out:
     dataset_destroy(t);
     return st;
@@ -223,7 +224,7 @@ static enum status print_contestants(const struct bench *b, struct message *why)
                  "Times are medians of the repeats. Motions are undamped except for the "
                  "paper's own scheme. Iterations are Newton's, or local and global steps; "
                  "none means one solve a frame.");
-    return printer_table(b->printer, t, NULL, why);
+    return printer_table(b->printer, t, "contestants", why);
 }
 
 const struct bench_part bench_part_contestants = {
@@ -303,7 +304,7 @@ static enum status check_word(const char *word, bool read_only, struct message *
         if (!strcmp(word, items[p]->name))
             return read_only && part->measure
                        ? status_fail(why, STATUS_INPUT,
-                                     "%s keeps no files: leave --from out", word)
+                                     "%s keeps no result files: leave --from out", word)
                        : STATUS_OK;
         TEXT_JOIN(names, ", ", "%s", items[p]->name);
     }
@@ -327,6 +328,9 @@ static enum status run(struct command_line *line, struct message *why)
     TRY(contestant_check(b.models, why));
     TRY(scene_file_find("edge_drop", &path, why));
     b.path = path;
+    if (!from)
+        TRY(folder_make(b.folder, why));
+    line->printer.folder = b.folder;
     timing_alone();
     for (int n = 0; items[n]; n++) {
         const struct bench_part *part = (const struct bench_part *)items[n];
@@ -337,6 +341,7 @@ static enum status run(struct command_line *line, struct message *why)
         printf("Peak memory %.0f MB; BLAS kernel %s, %d thread.\n",
                (double)clock_peak_memory() / 1e6, blas_kernel_name(),
                blas_kernel_threads());
+    show_tell(b.folder);
 out:
     free(path);
     return st;
@@ -347,7 +352,7 @@ static const struct command_option options[] = {
      "models or contestants of the timing table (those that\n"
      "take part; `clothbench list contestants`)"},
     {"--format", PRINTER_FORMATS, false, "output format (text)"},
-    {"--out", "DIR", false, "folder of all repeats (results/bench)"},
+    {"--out", "DIR", false, "folder of result files and CSV (results/bench)"},
     {"--from", "DIR", false, "print again from the files of an earlier run"},
     {"--quick", NULL, false, "three repeats of everything, and the smaller nets"},
     {NULL, NULL, false, NULL},

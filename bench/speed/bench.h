@@ -25,7 +25,7 @@ struct bench_part {
     enum status (*plan)(struct bench *b, struct message *why); /* adds runs              */
     enum status (*print)(const struct bench *b, struct message *why);
     enum status (*measure)(struct bench *b, struct message *why); /* instead of both:
-                               measures and prints what is no run; nothing is kept       */
+                               measures and prints what is no run; no file of it is kept  */
 };
 extern const struct bench_part bench_part_solids, bench_part_contact,
     bench_part_contestants;

@@ -300,7 +300,7 @@ static enum status print(const struct bench *b, int count, const struct net *net
         "(folded) where triangles are kept, %.2f and %.2f where they are found again.",
         growth(nets, count, KEPT), growth(nets + count, count, KEPT),
         growth(nets, count, AGAIN), growth(nets + count, count, AGAIN));
-    return printer_table(b->printer, t, NULL, why);
+    return printer_table(b->printer, t, "contact", why);
 }
 
 static enum status measure(struct bench *b, struct message *why)

@@ -104,7 +104,7 @@ static void test_contact(void)
     }
     said_clear(&s);
     CHECK(bench(&s, "contact --from nowhere", &why) == STATUS_INPUT);
-    CHECK(strstr(why.text, "contact keeps no files"));
+    CHECK(strstr(why.text, "contact keeps no result files"));
     said_clear(&s);
 }
 

@@ -65,3 +65,11 @@ def test_bad_shape(tmp_path):
     sheet(tmp_path / "r.h5", np.zeros((3, 2, 100, 100, 3)))
     with pytest.raises(Bad, match="for 2 times"):
         results.run(tmp_path / "r.h5")
+
+def test_numbers_for_a_folder(tmp_path):
+    sheet(tmp_path / "r.h5")
+    with h5py.File(tmp_path / "r.h5", "r+") as file:
+        file["metrics"] = [1.0]
+    seal(tmp_path / "r.h5")
+    with pytest.raises(Bad, match="its metrics/error are no numbers"):
+        results.run(tmp_path / "r.h5")

@@ -13,9 +13,9 @@
  *            bending (march.h, spring_strips.h). It keeps its energy
  *            (clothbench verify energy); the membrane's viscosity takes what crumples.
  *
- * On a mesh that is no grid the same four, of springs along its edges (spring_net.h) and a
- * quadratic bending (spring_plate.h); in squares they are tri_shell.h's, in leapfrog steps
- * without a sweep.
+ * On a mesh that is no grid the same four step springs along its edges (spring_net.h) and
+ * have a quadratic bending (spring_plate.h); in squares they are tri_shell.h's, in leapfrog
+ * steps without a sweep.
  *
  * Strains are limited once a frame (Provot 1995).
  *

@@ -15,8 +15,7 @@ enum { NODES = 9, ACROSS = 3, TURNS = 6 };
  * neighbours, too, at most. */
 enum { FAR = NODES + 3 * 4 };
 
-/* What is read in each step comes first. */
-/* What steps with slopes read comes first. */
+/* Members that each step reads, one with slopes, too, come first. */
 struct tri_shell_triangle {
     int node[NODES];
     double square[3], over[3]; /* of edges at rest, and 1 over it     [m^2], [1/m^2]    */

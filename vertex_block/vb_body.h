@@ -53,7 +53,7 @@ struct vb_body {
     int *colours_from; /* [nodes + 1] the first colours + 1 are used                    */
 };
 
-/* What a body is made of: borrowed, until it is cleared. */
+/* A body is made of these, which are borrowed until it is cleared. */
 struct vb_parts {
     const struct mesh *mesh;
     const double *D;                  /* [LAW_ENTRIES] of the membrane         [N/m]   */

@@ -17,11 +17,11 @@
  *
  * Softening adds to it: spring_form.h.
  *
- * On a mesh that is no grid, Morley's triangle (1968) for each component of the places: an
- * edge has the sheet's slope across it (mesh.h), and al is that less the triangle's own,
- * outward. The curvature of a triangle, sum over its sides of (l / A) al n n^t, n their
- * normals in the plane, is constant, and the energy is that of any bending matrix. Slopes
- * at clamped edges are held.
+ * On a mesh that is no grid the form is Morley's triangle (1968) for each component of the
+ * places: an edge has the sheet's slope across it (mesh.h), and al is that less the
+ * triangle's own, outward. The curvature of a triangle, sum over its sides of (l / A) al n
+ * n^t, n their normals in the plane, is constant, and the energy is that of any bending
+ * matrix. Slopes at clamped edges are held.
  *
  * Clamps: at a held column that cannot turn, the curvature of the cubic that leaves the
  * point x0 along e with the free neighbours x1, x2 on it,

@@ -65,7 +65,7 @@ def check_intervals(tmp_path, x, want, *words):
 
 def run_of(folder, *settings):
     """The run of edge_drop to 0.5 s, xyz[frame, vertex, 3] on SIDE x SIDE points."""
-    words = ["discretization.points=[21,21]", "damping={kind: none}", "time.end=0.5", *settings]
+    words = ["discretization.points=[31,31]", "damping={kind: none}", "time.end=0.5", *settings]
     clothbench.run("run", "edge_drop", "--model", "triangles_explicit", "--quiet", "--every", 1, "--out",
                    folder / "run.h5", *(w for s in words for w in ("--set", s)))
     run = results.run(folder / "run.h5", most=1 << 20, step=3)

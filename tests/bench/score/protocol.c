@@ -115,7 +115,7 @@ static void fresh(void)
     {                                                                                      \
         "material.young=" young                                                            \
     }
-#define DROP    "edge_drop/17x17.csv", "triangles_explicit"
+#define DROP    "edge_drop/21x21.csv", "triangles_explicit"
 #define LEVEL   "woven_level/21x5.csv", "mass_spring"
 #define GOOD    PROTOCOL_GOOD
 #define BAD     PROTOCOL_BAD

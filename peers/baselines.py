@@ -8,6 +8,7 @@
 """
 import csv
 import math
+import re
 import sys
 
 # error, bar and floor are rms over the sheet as fractions of its length; time, step and seconds
@@ -17,6 +18,7 @@ COLUMNS = ["simulator", "version", "scene", "net", "step", "time", "error", "bar
            "seconds", "diagnosis", "date"]
 HEAD = ",".join(COLUMNS)
 UNEXPLAINED = "No flaw that is known here explains the difference."
+FORMULA = re.compile(r"[=@\t\r].|[+-]([a-zA-Z]|.*[|(])", re.S)
 JUDGED = ["time", "error", "bar", "floor"]
 
 
@@ -46,8 +48,14 @@ def case_rows(about, told, score):
                f"{' '.join(why.split())}."}
 
 
-def write(rows, file):
-    csv.DictWriter(file, COLUMNS, lineterminator="\n").writerows(rows)
+def write(rows, file, columns=None):
+    """Puts lines with these columns, which are then their head too; what others' programs said is no
+    formula of a spreadsheet (bench/data/table.c)."""
+    to = csv.DictWriter(file, columns or COLUMNS, lineterminator="\n")
+    if columns:
+        to.writeheader()
+    for row in rows:
+        to.writerow({key: "'" + text if FORMULA.match(text) else text for key, text in row.items()})
 
 
 def read(path):
@@ -111,13 +119,13 @@ def keep_protocol(path, made):
     ran = {row["simulator"] for row in rows}
     try:
         with open(path, newline="") as file:
-            kept = [row for row in csv.DictReader(file) if row["simulator"] not in ran]
+            kept = list(csv.DictReader(file))
     except FileNotFoundError:
         kept = []
+    order = list(dict.fromkeys(row["simulator"] for row in kept + rows))  # each stays in its place
+    rows += [row for row in kept if row["simulator"] not in ran]
     with open(path, "w", newline="") as file:
-        to = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
-        to.writeheader()
-        to.writerows(kept + rows)
+        write(sorted(rows, key=lambda row: order.index(row["simulator"])), file, list(rows[0]))
 
 
 def main(words):

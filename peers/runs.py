@@ -218,13 +218,10 @@ def main(words):
                 baselines.write(rows, sys.stdout)
                 sys.stdout.flush()
     elif words[:1] == ["protocol"] and len(words) == 4:
-        to = csv.DictWriter(sys.stdout, ["simulator", "version", "subject", "verdict", "sentence"],
-                            lineterminator="\n")
         titles = {case[1]: case for case in reversed(list(cases(words[3])))}
-        to.writeheader()
-        for case in reversed(titles.values()):
-            to.writerows(make_protocol(words[1], pathlib.Path(words[2]), case))
-            sys.stdout.flush()
+        baselines.write((row for case in reversed(titles.values())
+                         for row in make_protocol(words[1], pathlib.Path(words[2]), case)), sys.stdout,
+                        ["simulator", "version", "subject", "verdict", "sentence"])
     elif words[:1] == ["drive"] and len(words) > 5:
         place, name, folder, out, *settings = words[1:]
         try:

@@ -52,6 +52,11 @@ FILES
 plan=$(dirname "$scene")/../../bench/plans/feasibility.yaml
 mkdir waits && mkfifo waits/lock
 ends 1 lock "$program" sweep "$plan" --out waits
+rm waits/lock && mkfifo waits/table.csv waits/case_000001.xdmf && ln -s ../empty.yaml waits/case_000001.h5
+printf '%s\n' 'name: p' 'source: s' 'scene: edge_drop' 'model: triangles' 'settings: {time.end: 0.01}' \
+    'axes: {a: {one: {discretization.points: [4,4]}}}' >plan.yaml
+ends 0 '' "$program" sweep plan.yaml --out waits
+[ -f waits/table.csv ] && [ ! -s empty.yaml ] || fail 'a sweep writes into a pipe, or through a link'
 rm -r waits
 mkdir waits && mkfifo waits/table.csv waits/run.h5
 timeout 60 "$program" report waits >out 2>err </dev/null
@@ -98,7 +103,10 @@ ends 2 "did you mean '--model'?" "$program" run edge_drop --modle iga
 ends 2 "did you mean 'shell_linear'?" "$program" run edge_drop --model shell_liner
 ends 2 'these models have it: iga, shell' "$program" run drape --model triangles
 ends 2 "there is no command 'swep'; did you mean 'sweep'?" "$program" swep
-ends 2 'a name with .h5 would be right' "$program" run edge_drop --out drop.csv
+for command in 'run edge_drop' 'truth free_fall'; do
+    # shellcheck disable=SC2086 # words
+    ends 2 'a name with .h5 would be right' "$program" $command --out drop.csv
+done
 [ ! -e drop.csv ] || fail 'a refused name is left behind'
 
 # --- what is written ----------------------------------------------------------------------

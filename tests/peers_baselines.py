@@ -53,6 +53,8 @@ def rows_of_runs():
         ("a death after all", {"died": 0.235, "why": "it\n burst"}, SCORE, JUDGED + DIED),
         ("a death before any", {"died": 0.235, "why": "it burst"}, None, DIED),
         ("a refusal", {"refused": "no ball,\nno contact"}, None, REFUSED),
+        ("what a spreadsheet would run", {"refused": "=cmd|x"}, None,
+         REFUSED.replace('"no ball, no contact"', "'=cmd|x")),
         ("frames refused", {}, {"rows": [], "refused": "no ball, no contact"}, REFUSED),
     ]:
         check(what, written(told, score) == rows)
@@ -107,8 +109,8 @@ def protocol():
     for rows in ["A,1,clamp,a hinge,s\nB,1,clamp,clamped,s\n", "A,2,clamp,clamped,s\n"]:
         made.write_text(head + rows)
         baselines.keep_protocol(table, made)
-    check("rows of one simulator are replaced",
-          table.read_text() == head + "B,1,clamp,clamped,s\nA,2,clamp,clamped,s\n")
+    check("rows of one simulator are replaced, where they stood",
+          table.read_text() == head + "A,2,clamp,clamped,s\nB,1,clamp,clamped,s\n")
     check("a fabric's mean is handed over", 0 < exported("woven_level").D < 1e-3)
 
 

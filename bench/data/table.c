@@ -98,8 +98,10 @@ static void print_comment(const char *text, FILE *file)
  * file of somebody else. */
 static bool is_formula(const char *text)
 {
-    return strchr("=@\t\r", *text) ? *text != '\0'
-                                   : strchr("+-", *text) && isalpha((unsigned char)text[1]);
+    return strchr("=@\t\r", *text)
+               ? *text != '\0'
+               : strchr("+-", *text) &&
+                     (isalpha((unsigned char)text[1]) || strpbrk(text, "|("));
 }
 
 static void print_field(const char *text, FILE *file)

@@ -96,6 +96,14 @@ static enum status create_temporary(struct atomic_file *a, struct message *why)
                        strerror(errno));
 }
 
+void atomic_file_claim(const char *path)
+{
+    struct stat info;
+
+    if (lstat(path, &info) == 0 && !S_ISREG(info.st_mode) && !S_ISDIR(info.st_mode))
+        unlink(path);
+}
+
 enum status atomic_file_open(const char *path, struct atomic_file *a, struct message *why)
 {
     enum status st = STATUS_OK;

@@ -19,6 +19,10 @@ struct atomic_file {
     bool in_place;   /* a device: temporary = target, nothing is renamed              */
 };
 
+/* Removes a symbolic link, pipe or device of a name that the program chose, in a folder
+ * that somebody else may have filled: what it leads to is not written. */
+void atomic_file_claim(const char *path);
+
 /* Finds a free temporary name and leaves an empty file there, so that a run learns at its
  * start what would stop it at its end. STATUS_FILE with a sentence: a folder, no such
  * folder, no permission. On failure *a is all-zero. */

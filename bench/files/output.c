@@ -6,7 +6,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "bench/files/atomic_file.h"
 
@@ -37,14 +36,9 @@ enum status output_create_in(const char *folder, const char *name, struct output
                              struct message *why)
 {
     char path[4096];
-    struct stat info;
 
-    snprintf(path, sizeof path, "%s/%s", folder, name);
-    if (lstat(path, &info) == 0 && S_ISLNK(info.st_mode))
-        return status_fail(why, STATUS_FILE,
-                           "%s: is a symbolic link, and what it points to is not written; "
-                           "without it, or in a folder of its own, the file would be",
-                           path);
+    snprintf(path, sizeof path, "%s%s%s", folder ? folder : "", folder ? "/" : "", name);
+    atomic_file_claim(path);
     return output_create(path, out, why);
 }
 

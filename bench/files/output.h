@@ -13,8 +13,8 @@ struct output;
  * atomic_file_open; on failure *out is untouched. */
 enum status output_create(const char *path, struct output **out, struct message *why);
 
-/* Starts one whose name the program chose, in a folder that somebody else may have filled:
- * a symbolic link of that name is refused. */
+/* Starts one whose name the program chose, by atomic_file_claim. folder NULL: the name has
+ * it. */
 enum status output_create_in(const char *folder, const char *name, struct output **out,
                              struct message *why);
 

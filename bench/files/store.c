@@ -194,6 +194,25 @@ static enum status create_xyz(struct store *s, struct message *why)
     return written(s, s->xyz >= 0 && hdf5_file_put_meaning(s->xyz, meaning) >= 0, why);
 }
 
+enum status store_try(const char *path, struct message *why)
+{
+    static const char *const others[] = {".csv", ".json", ".txt", ".obj", ".ply",
+                                         ".vtk", ".npz",  ".npy", ".png"};
+    const char *ending = strrchr(path, '.');
+    struct atomic_file probe;
+
+    for (size_t n = 0; ending && n < sizeof others / sizeof *others; n++)
+        if (!strcmp(ending, others[n]))
+            return status_fail(
+                why, STATUS_INPUT,
+                "--out %s: positions are kept as HDF5, so that a name with .h5 would be "
+                "right",
+                path);
+    const enum status st = atomic_file_open(path, &probe, why);
+    atomic_file_discard(&probe);
+    return st;
+}
+
 enum status store_create(const char *path, const struct store_run *run,
                          struct store **store, struct message *why)
 {

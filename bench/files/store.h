@@ -60,6 +60,10 @@ struct store_run {
     bool packed; /* shuffled and deflated: a quarter of a smooth field's bytes */
 };
 
+/* Learns before a long set-up whether a result file can be written there. STATUS_INPUT: the
+ * name is one of another format, STATUS_FILE; with a sentence. */
+enum status store_try(const char *path, struct message *why);
+
 /* Opens the file aside. STATUS_FILE with a sentence; *store is then untouched. Call
  * store_close or store_discard in the end. */
 enum status store_create(const char *path, const struct store_run *run,

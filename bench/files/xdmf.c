@@ -86,8 +86,8 @@ enum status xdmf_write(const char *result_path, int sheets, const double *time, 
     struct output *out = NULL;
     enum status st;
 
-    TRY(output_create(arena_print(&own, "%.*s.xdmf", (int)length - 3 * is_h5, result_path),
-                      &out, why));
+    const char *name = arena_print(&own, "%.*s.xdmf", (int)length - 3 * is_h5, result_path);
+    TRY(output_create_in(NULL, name, &out, why));
     output_print(out, "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n<Domain>\n"
                       "<Grid Name=\"run\" GridType=\"Collection\" "
                       "CollectionType=\"Temporal\">\n");

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/files/atomic_file.h"
 #include "bench/files/store.h"
 #include "bench/harness/distrust.h"
 #include "bench/harness/looks.h"
@@ -57,6 +58,8 @@ static enum status open_store(struct run_file *f, struct message *why)
 
     if (!f->keep->file)
         return STATUS_OK;
+    if (f->keep->made_for) /* the program chose the name */
+        atomic_file_claim(f->keep->file);
     TRY(store_create(f->keep->file, &what, &f->store, why));
     if (f->keep->made_for)
         TRY(store_text(f->store, "made_for", f->keep->made_for, why));

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/files/atomic_file.h"
+#include "bench/files/store.h"
 #include "bench/harness/run_file.h"
 #include "bench/run/describe.h"
 #include "bench/run/statics.h"
@@ -108,35 +108,11 @@ static enum status check_options(const struct job *j, const struct command_line 
     return STATUS_OK;
 }
 
-/* Learns before a long set-up whether a file can be written there. */
-static enum status check_out(const char *path, struct message *why)
-{
-    static const char *const others[] = {".csv", ".json", ".txt", ".obj", ".ply",
-                                         ".vtk", ".npz",  ".npy", ".png"};
-    const char *ending = path ? strrchr(path, '.') : NULL;
-    struct atomic_file probe;
-    enum status st = STATUS_OK;
-
-    for (size_t n = 0; ending && n < sizeof others / sizeof *others; n++)
-        if (!strcmp(ending, others[n]))
-            TRY(status_fail(
-                why, STATUS_INPUT,
-                "--out %s: a run is kept as HDF5, so that a name with .h5 would "
-                "be right",
-                path));
-    if (path)
-        TRY(atomic_file_open(path, &probe, why));
-    if (path)
-        atomic_file_discard(&probe);
-out:
-    return st;
-}
-
 static enum status read_options(struct job *j, const struct command_line *line,
                                 struct message *why)
 {
     enum status st = STATUS_OK;
-    const char *name = command_value(line, "--model");
+    const char *name = command_value(line, "--model"), *out = command_value(line, "--out");
     int count;
     const char *const *points = command_values(line, "--probe", &count);
 
@@ -152,7 +128,7 @@ static enum status read_options(struct job *j, const struct command_line *line,
     TRY(command_integer(line, "--every", 1, INT_MAX, &j->every, why));
     TRY(probe_init(&j->probe, count, points, why));
     TRY(check_options(j, line, why));
-    TRY(check_out(command_value(line, "--out"), why));
+    TRY(out ? store_try(out, why) : STATUS_OK);
     j->c.contestant = contestant_table;
     if (name)
         TRY(contestant_find(name, &j->c.contestant, why));

@@ -1023,7 +1023,7 @@ enum status protocol_tables_write(const char *path, const struct protocol *p,
     enum status st;
 
     provenance_collect(&made);
-    TRY(output_create(path, &out, why));
+    TRY(output_create_in(NULL, path, &out, why));
     FILE *file = output_stream(out);
     fprintf(file, "# clothbench score --protocol | commit %s | %s\n",
             provenance_value(&made, "commit"), provenance_value(&made, "date"));

@@ -2,9 +2,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/files/atomic_file.h"
 #include "bench/files/folder.h"
 #include "bench/files/provenance.h"
+#include "bench/files/store.h"
 #include "bench/harness/timing.h"
 #include "bench/truth/truth_making.h"
 #include "bench/ui/command.h"
@@ -370,7 +370,6 @@ static enum status choose_file(const struct job *j, const struct command_line *l
     const char *out = command_value(line, "--out");
     const bool store = command_given(line, "--store");
     const char *all = j->quick ? TRUTH_FILE_LEFT "_quick" : TRUTH_FILE_LEFT;
-    struct atomic_file tried;
     enum status st;
 
     if (out && store)
@@ -384,8 +383,7 @@ static enum status choose_file(const struct job *j, const struct command_line *l
                  j->scene.name);
     if (store)
         TRY(check_program(file, why));
-    TRY(atomic_file_open(file, &tried, why)); /* is said before all runs, not after them */
-    atomic_file_discard(&tried);
+    st = store_try(file, why); /* is said before all runs, not after them */
 out:
     return st;
 }

@@ -104,7 +104,7 @@ enum status verify_file_write(const char *command, const struct verify_check *ch
     char path[PATH];
 
     snprintf(path, PATH, "%s/%s.csv", folder, check->item.name);
-    TRY(output_create(path, &file, why));
+    TRY(output_create_in(NULL, path, &file, why));
     provenance_collect(&provenance);
     output_print(file, "# clothbench %s %s\n", command, check->item.name);
     for (int n = 0; n < provenance.count; n++)

@@ -3,6 +3,7 @@
 #include "bench/data/printer.h"
 
 #include <math.h>
+#include <sys/stat.h>
 
 #include "tests/fresh.h"
 #include "tests/said.h"

@@ -120,8 +120,12 @@ def new_axes(title, x, y):
 
 # --- charts ----------------------------------------------------------------------------------
 
+def is_shown(value):
+    """Whether axes can have a number: neither infinite, nor so large or small that their ends would be."""
+    return value == 0 or 1e-250 < abs(value) < 1e250
+
 def finite(points):
-    return [(x, y) for x, y in points if math.isfinite(x) and math.isfinite(y)]
+    return [(x, y) for x, y in points if is_shown(x) and is_shown(y)]
 
 def lines(title, x, y, drawn, bar=None, others=(), real_time=None, description=None):
     """A chart of lines [(label, colour or None, [(x, y)])]; `bar` is the height of the truth's band,
@@ -131,7 +135,7 @@ def lines(title, x, y, drawn, bar=None, others=(), real_time=None, description=N
     if not drawn:
         return None
     xs, ys = zip(*(p for _, _, points in drawn + list(others) for p in finite(points)))
-    bar = bar if bar and bar > min(ys) / 30 else None  # far below all, it would flatten the lines
+    bar = bar if bar and is_shown(bar) and bar > min(ys) / 30 else None  # far below all, it would flatten the lines
     ys += (bar,) if bar else ()
     figure, axes = new_axes(title, x, y)
     set_axis(axes.xaxis, xs, is_log(xs))
@@ -171,10 +175,12 @@ def coded(values):
 def classes(title, x, y, cases):
     """A map of cases [(x, y, label)], as words; cells where they lie on a grid. None: there is nothing
     to draw."""
-    cases = [c for c in cases if not {"", "nan", "inf"} & set(c[:2])]
-    if not cases:
-        return None
+    cases = [c for c in cases if all(c[:2])]
     at, words = zip(*(coded([c[k] for c in cases]) for k in (0, 1)))
+    shown = [n for n in range(len(cases)) if is_shown(at[0][n]) and is_shown(at[1][n])]
+    if not shown:
+        return None
+    cases, at = [cases[n] for n in shown], [[values[n] for n in shown] for values in at]
     places = [sorted(set(values)) for values in at]
     log = [not words[k] and is_log(places[k]) for k in (0, 1)]
     grid = len(cases) == len(places[0]) * len(places[1]) or max(map(len, places)) <= 24

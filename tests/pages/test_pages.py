@@ -22,10 +22,13 @@ def drawn(svg, colour):
     return len(re.findall(rf"<use [^>]*style=\"fill: {colour}", svg.decode()))
 
 def test_lines_leave_out_what_is_no_number():
-    svg = charts.lines("t", "x", "y", [("one", "#112233", [(1, 2), (2, math.inf), (3, math.nan), (4, 5)])])
+    svg = charts.lines("t", "x", "y", [("one", "#112233", [(1, 2), (2, math.inf), (3, math.nan), (4, 5), (5, 1e308), (6, 1e-320)])])
     assert drawn(svg, "#112233") == 2 and "one" in words_of(svg)
     assert charts.lines("t", "x", "y", [("one", None, [(math.nan, 1)])]) is None
-    assert svg == charts.lines("t", "x", "y", [("one", "#112233", [(4, 5), (1, 2)])])  # by x
+    assert svg == charts.lines("t", "x", "y", [("one", "#112233", [(4, 5), (1, 2)])], math.inf)  # by x
+    assert charts.classes("t", "x", "y", [("1e308", "1", "a"), ("nan", "2", "b")]) is None
+    assert charts.classes("t", "x", "y", [("1e308", "1", "a"), ("1", "2", "b")]) == \
+        charts.classes("t", "x", "y", [("1", "2", "b")])
 
 @pytest.mark.parametrize("values, want", [
     ([3, 47], (0, 50)), ([0.0013, 0.8], (0.001, 1)), ([16681.0053720005, 2.1e6], (10000, 5e6)),

@@ -30,6 +30,7 @@ struct csv {
     struct frames_file file;
     bool semicolons;   /* stand between the cells, and numbers may have decimal commas   */
     int cell[COLUMNS]; /* which one of a line each is, from 0                            */
+    int cells;         /* of a line at most                                             */
     int runs;
     struct run *run;     /* [runs] by time, then place                                  */
     int taken;           /* runs of the frames before                                   */
@@ -87,6 +88,19 @@ static enum status bad_row(const struct csv *c, struct message *why)
                        c->file.path, c->file.line);
 }
 
+/* Counts the cells of the line up to the last that has anything. */
+static int count_cells(const struct csv *c)
+{
+    int cells = 1, last = 1;
+
+    for (const char *at = c->file.text; *at; at++)
+        if (*at == ',')
+            cells++;
+        else if (*at != ' ' && *at != '\t')
+            last = cells;
+    return last;
+}
+
 /* Finds the columns in the first line; *named: it is one of names, not a row. */
 static enum status take_names(struct csv *c, bool *named, struct message *why)
 {
@@ -96,6 +110,7 @@ static enum status take_names(struct csv *c, bool *named, struct message *why)
     for (int n = 0; n < COLUMNS; n++)
         c->cell[n] = n;
     *named = !take_number(c, T, &t);
+    c->cells = *named ? count_cells(c) : COLUMNS;
     if (!*named)
         return STATUS_OK;
     memset(c->cell, -1, sizeof c->cell);
@@ -118,8 +133,14 @@ static enum status take_names(struct csv *c, bool *named, struct message *why)
 static enum status take_time(struct csv *c, struct message *why)
 {
     struct run *last = c->runs ? &c->run[c->runs - 1] : NULL;
+    const int cells = count_cells(c);
     double t;
 
+    if (cells > c->cells)
+        return status_fail(why, STATUS_INPUT,
+                           "%s: line %ld: has %d cells in %d columns; decimals after a "
+                           "point, or semicolons between the columns, would be right",
+                           c->file.path, c->file.line, cells, c->cells);
     if (!take_number(c, T, &t) || !isfinite(t))
         return bad_row(c, why);
     if (last && last->t == t) {

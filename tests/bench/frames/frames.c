@@ -140,6 +140,7 @@ static void bad_texts(void)
         {"empty.csv", "", "empty.csv"},
         {"words.csv", "t,u,v,x,y,z\n0,0,0,0,0,0\n0,1,0,one,0,0\n", "line 3"},
         {"short.csv", "0,0,0,0,0,0\n0,1,0,1,0\n", "line 2"},
+        {"comma.csv", "t,u,v,x,y,z\n0,0,0,0,0,0,5\n", "line 2: has 7 cells in 6 columns"},
         {"uv.csv", "t,x,y,z\n0,0,0,0\n", "line 1"},
         {"bare.csv", "t,u,v,x,y,z\n", "bare.csv"},
         {"nan.csv", "0,0,0,0,0,0\n0,1,0,nan,0,0\n", "frame 1 (t = 0 s)"},

@@ -98,6 +98,7 @@ did you mean 'young'?|material.E=1e5
 did you mean 'poisson'?|material.nu=0.3
 did you mean 'step'?|time.dt=0.01
 SETTINGS
+ends 2 'decimals stand after a point' "$program" advise edge_drop --error 0,5%
 ends 2 "no scene 'edge_dorp'; did you mean 'edge_drop'?" "$program" run edge_dorp
 ends 2 "did you mean '--model'?" "$program" run edge_drop --modle iga
 ends 2 "did you mean 'shell_linear'?" "$program" run edge_drop --model shell_liner

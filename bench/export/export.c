@@ -245,25 +245,6 @@ static enum status check_thickness(const struct scene *scene, struct message *wh
     return STATUS_OK;
 }
 
-/* Says which support (the first) ends between vertices, as a doubt for the user. */
-static void doubt_ends(const struct export_sheet *s, struct export_held *held)
-{
-    for (int n = s->scene->support_count - 1; n >= 0; n--)
-        for (int k = 3; k >= 0; k--) {
-            const struct scene_support *support = &s->scene->supports[n];
-            const double at = k % 2 ? support->hi[k / 2] : support->lo[k / 2];
-            double along = at;
-            if (k / 2 == 0)
-                scene_sheet_at(s->scene, at, &along);
-            const double cells = along * (s->points[k / 2] - 1);
-            if (fabs(cells - round(cells)) > 1e-9)
-                status_fail(&held->doubt, STATUS_OK,
-                            "supports[%d] ends at %c = %g, between vertices: the net holds "
-                            "up to the last one within",
-                            n, "uv"[k / 2], along);
-        }
-}
-
 static void add_outside(const struct export_sheet *s, struct export_held *held, int i,
                         int j, const struct export_held_vertex *beside)
 {
@@ -338,22 +319,38 @@ static void add_mirrored(struct arena *arena, struct export_sheet *s,
     }
 }
 
-/* Says which support (the first) has an edge without vertices of a mesh. */
+/* Returns whether vertices of the mesh or net lie along an edge of a support, at u or v. */
+static bool meets_edge(const struct export_sheet *s, const struct scene_support *support,
+                       int k, double at)
+{
+    bool has = false;
+
+    if (!s->mesh) {
+        const double cells = at * (s->points[k] - 1);
+        return fabs(cells - round(cells)) <= 1e-9;
+    }
+    for (int a = 0; a < s->mesh->vertices; a++)
+        has |= fabs(s->mesh->uvw[a][k] - at) <= 1e-9 &&
+               supports_covers(support, s->mesh->uvw[a]);
+    return has;
+}
+
+/* Says which support (the first) has an edge without vertices. */
 static void doubt_edges(const struct export_sheet *s, struct export_held *held)
 {
     for (int n = s->scene->support_count - 1; n >= 0; n--)
         for (int k = 3; k >= 0; k--) {
             const struct scene_support *support = &s->scene->supports[n];
-            const double edge = k % 2 ? support->hi[k / 2] : support->lo[k / 2];
-            bool has = false;
-            for (int a = 0; a < s->mesh->vertices; a++)
-                has |= fabs(s->mesh->uvw[a][k / 2] - edge) <= 1e-9 &&
-                       supports_covers(support, s->mesh->uvw[a]);
-            if (!has)
+            double at = k % 2 ? support->hi[k / 2] : support->lo[k / 2];
+            if (!(k / 2))
+                scene_sheet_at(s->scene, at, &at);
+            if (!meets_edge(s, support, k / 2, at))
                 status_fail(&held->doubt, STATUS_OK,
-                            "supports[%d] has no vertices along its edge at %c = %g: the "
-                            "mesh holds up to the last ones within",
-                            n, "uv"[k / 2], edge);
+                            s->mesh ? "supports[%d] has no vertices along its edge at %c = "
+                                      "%g: the mesh holds up to the last ones within"
+                                    : "supports[%d] ends at %c = %g, between vertices: the "
+                                      "net holds up to the last one within",
+                            n, "uv"[k / 2], at);
         }
 }
 
@@ -415,14 +412,11 @@ static enum status export_held_find(struct arena *arena, struct export_sheet *s,
     for (int n = 0; n < vertices; n++)
         add_held(s, &supports, n, held);
     add_paths(s->scene, &supports, held);
-    if (s->mesh) {
+    if (s->mesh)
         add_mirrored(arena, s, held);
-        doubt_edges(s, held);
-        goto out;
-    }
-    for (int n = 0, count = held->count; n < count; n++)
+    for (int n = 0, count = held->count; n < count && !s->mesh; n++)
         TRY(add_clamps(s, held, &held->vertex[n], why));
-    doubt_ends(s, held);
+    doubt_edges(s, held);
 out:
     supports_clear(&supports);
     return st;
@@ -1607,13 +1601,14 @@ static enum status prepare(struct export_job *j, const struct command_line *line
     if (command_given(line, "--points") == !!d.mesh)
         TRY(status_fail(
             why, STATUS_INPUT,
-            "which vertices? --points N,M, as in --points 21,21, or --mesh FILE.obj"));
+            "export needs --points N,M, as in --points 21,21, or --mesh FILE.obj"));
     if (!command_given(line, "--out"))
-        TRY(status_fail(why, STATUS_INPUT, "where to? --out FOLDER, a new one"));
+        TRY(status_fail(why, STATUS_INPUT, "export needs --out FOLDER, a new one"));
     if (!d.mesh)
         TRY(command_pair(line, "--points", 2, EXPORT_SHEET_MOST, j->sheet.points, why));
     if (format && strcmp(format, "obj") && strcmp(format, "ply") && strcmp(format, "csv"))
-        TRY(status_fail(why, STATUS_INPUT, "--format %s: obj, ply or csv", format));
+        TRY(status_fail(why, STATUS_INPUT, "--format %s: obj, ply or csv would be right",
+                        format));
     TRY(read_scene(j, line, why));
     if (scene_needs(&j->scene) & SCENE_NEED_OWN_MATERIALS)
         TRY(status_fail(why, STATUS_UNSUPPORTED,

@@ -143,9 +143,10 @@ static enum status open_files(struct frames *f, struct message *why)
                            path[0]);
     for (int n = 1; n < count; n++)
         if (kind_of(path[n]) != kind)
-            return status_fail(why, STATUS_INPUT,
-                               "%s: is of another kind than %s; a sequence is of one",
-                               path[n], path[0]);
+            return status_fail(
+                why, STATUS_INPUT,
+                "%s: is of another kind than %s; files of one kind would be right", path[n],
+                path[0]);
     if (kinds[kind].reader != &frames_sequence) {
         if (count > 1)
             return status_fail(

@@ -54,9 +54,13 @@ mkdir waits && mkfifo waits/lock
 ends 1 lock "$program" sweep "$plan" --out waits
 rm waits/lock && mkfifo waits/table.csv waits/case_000001.xdmf && ln -s ../empty.yaml waits/case_000001.h5
 printf '%s\n' 'name: p' 'source: s' 'scene: edge_drop' 'model: triangles' 'settings: {time.end: 0.01}' \
-    'axes: {a: {one: {discretization.points: [4,4]}}}' >plan.yaml
+    'axes: {level: {one: {discretization.points: [4,4]}}}' >plan.yaml
 ends 0 '' "$program" sweep plan.yaml --out waits
 [ -f waits/table.csv ] && [ ! -s empty.yaml ] || fail 'a sweep writes into a pipe, or through a link'
+mkfifo waits/p.csv && ln -s ../empty.yaml waits/p_one.h5
+echo 'times: [0.01]' >>plan.yaml
+ends 0 '' "$program" study plan.yaml --out waits
+[ -f waits/p.csv ] && [ ! -s empty.yaml ] || fail 'a study writes into a pipe, or through a link'
 rm -r waits
 mkdir waits && mkfifo waits/table.csv waits/run.h5
 timeout 60 "$program" report waits >out 2>err </dev/null

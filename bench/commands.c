@@ -158,11 +158,11 @@ static const struct command list_command = {
 };
 
 const struct command *const commands[] = {
-    &list_command,   &run_command,           &compare_command,
-    &advise_command, &studies_table_command, &studies_command,
-    &sweep_command,  &truth_command,         &export_command,
-    &score_command,  &verify_command,        &stress_command,
-    &bench_command,  &report_command,        NULL,
+    &list_command,          &run_command,           &compare_command,
+    &advise_command,        &studies_table_command, &studies_command,
+    &studies_sweep_command, &truth_command,         &export_command,
+    &score_command,         &verify_command,        &stress_command,
+    &bench_command,         &report_command,        NULL,
 };
 
 enum status commands_find(const char *name, const struct command **command,

@@ -5,8 +5,8 @@
 #include "bench/ui/command.h"
 
 extern const struct command run_command, compare_command, advise_command,
-    studies_table_command, studies_command, sweep_command, truth_command, export_command,
-    verify_command, stress_command, bench_command, report_command;
+    studies_table_command, studies_command, studies_sweep_command, truth_command,
+    export_command, verify_command, stress_command, bench_command, report_command;
 
 /* All commands, in the order of the help; ends with NULL. */
 extern const struct command *const commands[];

@@ -173,10 +173,10 @@ gone() { # PROCESS
 begin_long
 kill -KILL "${cases[0]}"
 for ((i = 0; i < 500; i++)); do
-    [ -s long/case_000001.txt ] || [ -s long/case_000002.txt ] && break
+    [ -s long/case_000001.h5 ] || [ -s long/case_000002.h5 ] && break
     sleep 0.02
 done
-grep -hq 'killed by signal 9' long/case_00000?.txt || fail 'a case that was killed is no row'
+grep -hq 'killed by signal 9' long/case_00000?.h5 || fail 'a case that was killed is no row'
 kill -TERM "$leader" # SIGINT is ignored in the background
 wait "$leader" 2>/dev/null
 [ $? -eq $((128 + 15)) ] || fail 'a signal does not end it as a signal does'

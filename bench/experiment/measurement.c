@@ -4,13 +4,16 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/files/folder.h"
+#include "bench/files/seal.h"
 #include "bench/files/store.h"
 #include "bench/harness/deadline.h"
-#include "bench/harness/pool.h"
 #include "bench/harness/timing.h"
 #include "bench/experiment/bench_solid.h"
 #include "bench/ui/progress.h"
 #include "bench/data/printer.h"
+#include "bench/truth/truth.h"
+#include "models/metric/metric.h"
 
 /* Frames of a repeat, where a frame costs the same all along the motion. */
 enum { FRAMES = 20, QUICK_FRAMES = 5, WARMUP = 2 };
@@ -129,22 +132,59 @@ void measurement_tell(const char *what, const struct measurement_taken *taken,
                 taken->taken, taken->cases, folder);
 }
 
+/* Adds the stored truth of a scene, if there is one, to a sum: its cases keep their
+ * distance from it. Its beginning, where it is sealed, is enough. */
+static unsigned long add_truth(unsigned long sum, const struct scene *scene)
+{
+    char *path = NULL, *bytes = NULL;
+    size_t size;
+
+    if (named_file_find(&truth_file_kind, scene->name, &path, NULL) == STATUS_OK &&
+        named_file_read(&truth_file_kind, path, &bytes, &size, NULL) == STATUS_OK)
+        sum = seal_sum(sum, bytes, size);
+    free(path);
+    free(bytes);
+    return sum;
+}
+
+/* Reads the scene of a case and finds its key. */
+static enum status open_job(const struct measurement_options *o, struct job *j,
+                            struct message *why)
+{
+    struct run_keep *keep = &j->c.keep;
+    unsigned long sum = case_program(j->c.timed != CASE_UNTIMED);
+    enum status st;
+
+    j->c.until = o->until;
+    keep->quick = o->quick;
+    TRY(run_read(&j->run, &j->c, why));
+    if (keep->times < 0)
+        keep->times = j->run.scene.snapshot_count, keep->time = j->run.scene.snapshots;
+    if (o->pool)
+        sum = seal_sum(sum, &o->pool->time_limit, sizeof o->pool->time_limit);
+    case_key(&j->c, &j->run.scene, o->truth ? add_truth(sum, &j->run.scene) : sum, j->key);
+    keep->made_for = j->key;
+out:
+    return st;
+}
+
 /* Reads the scenes, and marks the cases that are done, whose files are there. */
 static enum status take(const struct measurement_options *o, int count,
                         struct case_plan *cases, struct job *jobs, struct message *why)
 {
     struct measurement_taken here = {0, count};
-    const unsigned long program = case_program(true);
     enum status st = STATUS_OK;
 
     for (int n = 0; n < count; n++) {
         struct job *j = &jobs[n];
         j->c = cases[n];
-        j->c.until = o->until;
-        j->c.keep.quick = o->quick;
-        TRY(run_read(&j->run, &j->c, why));
-        case_key(&j->c, &j->run.scene, program, j->key);
-        j->c.keep.made_for = j->key;
+        st = open_job(o, j, why);
+        if (st == STATUS_INPUT && o->pool) { /* whoever reads the results finds out why */
+            remove(j->c.keep.file);
+            st = STATUS_OK, cases[n].done = true;
+            continue;
+        }
+        TRY(st);
         cases[n].done = !o->again && is_kept(&j->c);
         if (cases[n].done)
             run_close(&j->run);
@@ -264,25 +304,67 @@ struct untimed {
     struct job *jobs;
 };
 
+/* A truth, and the length of its sheet [m]. */
+struct known {
+    struct truth truth;
+    double length;
+};
+
+/* Finds the distance from the truth, look by look. */
+static void look(const void *context, double time, const double *xyz, double *error,
+                 double *bar)
+{
+    const struct known *k = context;
+    const int n = truth_index(&k->truth, k->truth.claimed, time);
+
+    *error = n < 0 ? NAN : metric_rmse(xyz, k->truth.xyz[n]) / k->length;
+    *bar = n < 0 ? NAN : k->truth.error[n] / k->length;
+}
+
 static enum status follow(void *context, long n, struct message *why)
 {
-    struct job *j = &((const struct untimed *)context)->jobs[n];
+    const struct untimed *u = context;
+    struct job *j = &u->jobs[n];
+    struct known known = {.length = j->run.scene.length};
+    enum status st = STATUS_OK;
 
     timing_apart();
-    return run_file_make(&j->c, &j->run, NULL, why);
+    /* A factor a step is no physics that a truth could have: nothing needs to be read. */
+    if (u->bar->options->truth && !truth_plan_damping(&j->run.scene))
+        TRY(truth_judged(&j->run.scene, &known.truth, why));
+    j->c.keep.truth = known.truth.claimed ? look : NULL;
+    j->c.keep.context = &known;
+    st = run_file_make(&j->c, &j->run, NULL, why);
+out:
+    truth_clear(&known.truth);
+    return st;
 }
 
 static enum status settle(void *context, long n, const struct child_end *end,
                           struct message *why)
 {
     const struct untimed *u = context;
+    struct job *j = &u->jobs[n];
 
     u->bar->before += TIMING_REPEATS + 1;
     report(u->bar, 0, 0);
     if (end->outcome == CHILD_DONE)
         return STATUS_OK;
-    return status_fail(why, STATUS_LIBRARY, "%s: %s", u->jobs[n].c.keep.file,
-                       end->why.text);
+    if (!u->bar->options->pool)
+        return status_fail(why, STATUS_LIBRARY, "%s: %s", j->c.keep.file, end->why.text);
+    j->c.keep.made_for = end->outcome == CHILD_CUT ? NULL : j->key;
+    return run_file_lost(&j->c, &j->run, &end->why, why);
+}
+
+/* Removes what killed processes left beside a file. */
+static void tidy(const char *file)
+{
+    const char *slash = file ? strrchr(file, '/') : NULL;
+    char folder[4096];
+
+    if (slash && snprintf(folder, sizeof folder, "%.*s", (int)(slash - file), file) <
+                     (int)sizeof folder)
+        folder_tidy(folder);
 }
 
 /* Follows the cases that are not done and are not timed, each in a process of its own. */
@@ -291,25 +373,29 @@ static enum status run_untimed(struct bar *bar, int count, struct case_plan *cas
 {
     struct untimed u = {bar, jobs};
     bool *done = calloc((size_t)count + 1, sizeof *done);
-    struct pool pool = {.count = count,
-                        .done = done,
-                        .slots = timing_processors(),
-                        .time_limit = INFINITY,
-                        .quiet = true,
-                        .context = &u,
-                        .work = follow,
-                        .settle = settle};
+    struct pool own = {.slots = timing_processors(), .time_limit = INFINITY},
+                *pool = bar->options->pool ? bar->options->pool : &own;
     enum status st = done ? STATUS_OK : STATUS_MEMORY;
 
     TRY(st);
     for (int n = 0; n < count; n++)
         done[n] = cases[n].done || cases[n].timed != CASE_UNTIMED;
-    TRY(pool_run(&pool, why));
-    if (pool.stopped_by)
-        pool_raise(&pool);
+    pool->count = count, pool->done = done, pool->quiet = true;
+    pool->context = &u, pool->work = follow, pool->settle = settle;
+    if (pool->ranks && pool->ranks->rank) {
+        st = pool_serve(pool, NULL, why);
+        goto out;
+    }
+    st = pool_run(pool, why);
+    if (count && (!pool->ranks || (!st && !pool->stopped_by))) /* else some still work */
+        tidy(cases[0].keep.file);
+    TRY(st);
+    if (pool->stopped_by)
+        pool_raise(pool);
     for (int n = 0; n < count; n++)
         cases[n].done = cases[n].done || !done[n];
 out:
+    pool->done = NULL;
     free(done);
     return st;
 }
@@ -329,7 +415,7 @@ enum status measurement_run(const struct measurement_options *options, int count
     bar.progress = progress_start(options->what, all, !options->what);
     if (!(options->until > 0)) /* a budget's order is the caller's */
         TRY(run_untimed(&bar, count, cases, jobs, why));
-    while (next < count)
+    while (next < count && !(options->pool && options->pool->ranks))
         TRY(run_group(&bar, count, cases, jobs, &next, why));
 out:
     progress_end(&bar.progress);

@@ -1279,6 +1279,9 @@ static enum status check(struct plan *plan, struct message *why)
     if (!plan_settings_find(&plan->settings, "model")) /* the program's first */
         add_text(plan->arena, &plan->settings, "model", contestant_model(0)->name, 1);
     add_keys(plan);
+    if (plan->reference.count && !plan_is_study(plan) && plan->keep != PLAN_KEEP_SNAPSHOTS)
+        return plan_case_refuse(plan, plan->reference.list->line, why,
+                                "a sweep with a reference must keep snapshots");
     if (plan_case_count(plan) > PLAN_MAX_CASES)
         return plan_case_refuse(plan, 1, why,
                                 "the plan has more than %d cases, the most there may be",

@@ -216,7 +216,6 @@ int plan_level_with(const struct plan_study *study, const struct plan_level *lev
 /* --- Cases one by one, as what a run needs (plan_case.c). */
 
 struct plan_case {
-    long number;                    /* from 0                                          */
     const struct plan_study *study; /*                                        borrowed */
     const struct plan_level *level; /* NULL: what all levels of the study have          */
     struct case_plan run; /* stand-ins among its settings as what they stand for owned */
@@ -227,21 +226,18 @@ struct plan_case {
 /* Returns the number of cases of all studies. */
 long plan_case_count(const struct plan *plan);
 
-/* Opens case `number`, 0 <= number < count. STATUS_INPUT with a sentence `plan:line: ...`:
- * its scene or a value is impossible. *c is all-zero on failure; free with plan_case_clear.
- */
-enum status plan_case_open(const struct plan *plan, long number, struct plan_case *c,
-                           struct message *why);
-void plan_case_clear(struct plan_case *c);
-
 /* Opens a level of a study, for a quick run or not; NULL: with what all its levels have.
- * Errors as plan_case_open. */
+ * STATUS_INPUT with a sentence `plan:line: ...`: its scene or a value is impossible. *c is
+ * all-zero on failure; free with plan_case_clear. */
 enum status plan_case_level(const struct plan *plan, const struct plan_study *study,
                             const struct plan_level *level, bool quick, struct plan_case *c,
                             struct message *why);
 
-/* Opens case `number` without what is run, with the plan's words alone. STATUS_MEMORY. */
-enum status plan_case_given(const struct plan *plan, long number, struct plan_case *c);
+void plan_case_clear(struct plan_case *c);
+
+/* Returns the plan's words for a key of a level; NULL: it has none. */
+const char *plan_case_words(const struct plan *plan, const struct plan_study *study,
+                            const struct plan_level *level, const char *key);
 
 /* Reads the scene of a case. Errors as scene_file_read: plan_case_blame finds the plan's
  * line. */

@@ -208,40 +208,28 @@ static enum status begin(const struct plan *plan, const struct plan_study *study
     return STATUS_OK;
 }
 
-enum status plan_case_given(const struct plan *plan, long number, struct plan_case *c)
+const char *plan_case_words(const struct plan *plan, const struct plan_study *study,
+                            const struct plan_level *level, const char *key)
 {
-    const struct plan_study *study = plan->studies;
-    long level = number;
+    struct plan_case c;
+    const enum status st = begin(plan, study, level, false, &c);
+    const struct plan_setting *s = st ? NULL : given(plan, &c, key);
 
-    while (level >= study->level_count)
-        level -= study++->level_count;
-    const enum status st = begin(plan, study, &study->levels[level], false, c);
-    c->number = number;
-    return st;
-}
-
-/* Completes a case whose `given` was made with this status. */
-static enum status finish(const struct plan *plan, enum status st, struct plan_case *c,
-                          struct message *why)
-{
-    if (st == STATUS_OK)
-        st = plan_case_blame(plan, c, build(plan, c, why), why);
-    if (st != STATUS_OK)
-        plan_case_clear(c);
-    return st;
-}
-
-enum status plan_case_open(const struct plan *plan, long number, struct plan_case *c,
-                           struct message *why)
-{
-    return finish(plan, plan_case_given(plan, number, c), c, why);
+    plan_case_clear(&c);
+    return s ? s->value : NULL;
 }
 
 enum status plan_case_level(const struct plan *plan, const struct plan_study *study,
                             const struct plan_level *level, bool quick, struct plan_case *c,
                             struct message *why)
 {
-    return finish(plan, begin(plan, study, level, quick, c), c, why);
+    enum status st = begin(plan, study, level, quick, c);
+
+    if (st == STATUS_OK)
+        st = plan_case_blame(plan, c, build(plan, c, why), why);
+    if (st != STATUS_OK)
+        plan_case_clear(c);
+    return st;
 }
 
 void plan_case_clear(struct plan_case *c)

@@ -4,20 +4,38 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "bench/experiment/batch.h"
 #include "bench/files/folder.h"
 #include "bench/harness/timing.h"
 #include "bench/truth/truth.h"
 #include "models/metric/metric.h"
+#include "models/metric/metric_rest.h"
 
 enum { PATH = 4096, NAME = 512 };
 
-/* Writes the path of a level's result file. */
-static void file_of(const struct plan_study *study, const struct plan_level *level,
-                    const char *folder, char path[PATH])
+/* Writes the name of a level's result file, which in a sweep is a number. */
+static void name_of(const struct plan *plan, const struct plan_study *study,
+                    const struct plan_level *level, char name[NAME])
 {
-    snprintf(path, PATH, "%s/%s_%s.h5", folder, study->name, level->name);
+    long number = level - study->levels + 1;
+
+    for (const struct plan_study *s = plan->studies; s < study; s++)
+        number += s->level_count;
+    if (plan_is_study(plan))
+        snprintf(name, NAME, "%s_%s", study->name, level->name);
+    else
+        snprintf(name, NAME, "case_%06ld", number);
+}
+
+static void file_of(const struct plan *plan, const struct plan_study *study,
+                    const struct plan_level *level, const char *folder, char path[PATH])
+{
+    char name[NAME];
+
+    name_of(plan, study, level, name);
+    snprintf(path, PATH, "%s/%s.h5", folder, name);
 }
 
 static bool begins(const char *text, const char *with)
@@ -102,23 +120,27 @@ static enum status add_level(const struct plan *plan, const struct plan_study *s
     const double *time = quick ? study->quick_times : study->times;
     const int timed = level->timed < 0 ? study->timed : level->timed;
     const int most = quick_run ? TIMING_REPEATS_QUICK : timed;
+    const bool sweep = !plan_is_study(plan);
     struct plan_case c;
     char name[NAME];
-    enum status st;
+    enum status st = plan_case_level(plan, study, level, quick_run, &c, why);
 
-    TRY(plan_case_level(plan, study, level, quick_run, &c, why));
-    snprintf(name, sizeof name, "%s_%s", study->name, level->name);
+    name_of(plan, study, level, name);
+    if (st == STATUS_INPUT && sweep) /* read_case finds out why */
+        return STATUS_OK;
+    TRY(st);
     struct case_plan *m = batch_add(batch, c.run.path, c.run.contestant, name);
     settings_append(&m->settings, &c.run.settings);
-    m->end = times ? time[times - 1] : 0;
+    m->end = times > 0 ? time[times - 1] : 0;
     m->keep.every = plan->look;
     m->keep.intersections = plan->intersections;
     m->keep.times = times;
     m->keep.time = time;
-    m->keep.fields = RUN_FIELDS_TIMES;
-    m->keep.doubles = plan->reference.count > 0; /* differences may be small */
+    m->keep.fields =
+        sweep && plan->keep != PLAN_KEEP_SNAPSHOTS ? RUN_FIELDS_NONE : RUN_FIELDS_TIMES;
+    m->keep.doubles = !sweep && plan->reference.count > 0; /* differences may be small */
     m->rest = times == 0;
-    m->timed = timed ? CASE_FAIR : CASE_UNTIMED;
+    m->timed = timed && !sweep ? CASE_FAIR : CASE_UNTIMED;
     m->repeats = most < timed ? most : timed;
     m->phases = level->phases;
     plan_case_clear(&c);
@@ -149,13 +171,18 @@ enum status study_measure(const struct plan *plan, const char *folder,
                           const struct measurement_options *options, struct message *why)
 {
     struct measurement_options how = *options;
-    struct batch batch;
-    int most = 0;
-    enum status st;
+    const struct pool *pool = options->pool;
+    struct batch batch = {0};
+    int most = 0, lock = -1;
+    enum status st = STATUS_OK;
 
+    if (!pool || !pool->ranks || !pool->ranks->rank)
+        TRY(folder_lock(folder, &lock, why));
+    folder_tidy(folder);
     for (int n = 0; n < plan->study_count; n++)
         most += plan->studies[n].level_count;
     how.what = plan->name;
+    how.truth = !plan_is_study(plan);
     TRY(batch_init(&batch, folder, most));
     for (int n = 0; n < plan->study_count; n++)
         for (int k = 0; k < plan->studies[n].level_count; k++)
@@ -165,6 +192,8 @@ enum status study_measure(const struct plan *plan, const char *folder,
     TRY(batch_run(&batch, &how, why));
     TRY(measure_truths(plan, folder, options->quick, why));
 out:
+    if (lock >= 0)
+        close(lock);
     batch_clear(&batch);
     return st;
 }
@@ -221,10 +250,104 @@ static enum status read_truth(const struct plan *plan, const char *folder, struc
                         : STATUS_OK;
 }
 
+/* Reads a case of a sweep: its result, or why there is none. */
+static enum status read_case(const struct plan *plan, const struct plan_study *study,
+                             const char *path, struct arena *arena, struct study_row *row)
+{
+    static const char later[] = "; the next sweep runs it again";
+    struct run_result *r = &row->result;
+    struct plan_case c = {0};
+    struct scene scene = {0};
+    struct message said = {""};
+    enum status st = run_result_read(path, false, r, NULL);
+
+    if (st == STATUS_OK && r->outcome != STATUS_INPUT)
+        return st;
+    TRY(st == STATUS_MEMORY ? st : STATUS_OK);
+    if (r->outcome == STATUS_INPUT) {
+        row->again = !*r->made_for;
+        said = r->sentence;
+    } else {
+        st = plan_case_level(plan, study, row->level, false, &c, &said);
+        if (st == STATUS_OK)
+            st = plan_case_scene(&c, &scene, &said);
+        TRY(st == STATUS_MEMORY ? st : STATUS_OK);
+        row->again = !*said.text;
+        if (row->again)
+            status_fail(&said, STATUS_FILE, "its file is %s",
+                        access(path, F_OK) ? "gone" : "damaged");
+    }
+    row->left_out = true;
+    row->lost = arena_print(arena, "%s%s", said.text, row->again ? later : "");
+    st = STATUS_OK;
+out:
+    scene_clear(&scene);
+    plan_case_clear(&c);
+    return st;
+}
+
+/* Returns the error of a case of a sweep at the worst of the kept times; infinite where it
+ * or its reference died, NaN where nobody knows the reference or the model refused. */
+static double reference_error(const struct run_result *r, const struct study_row *other,
+                              const struct run_result *reference, const double *rest)
+{
+    const enum status end = other->result.outcome;
+    const bool gone = (other->lost && !other->again) || status_is_death(end);
+    double worst = status_is_death(r->outcome) || (!r->outcome && gone) ? INFINITY : NAN;
+
+    for (int n = 0; !r->outcome && !other->lost && !end && n < reference->frames; n++)
+        worst = fmax(worst, metric_rmse(r->xyz[n], reference->xyz[n]) /
+                                metric_rmse(reference->xyz[n], rest));
+    return worst;
+}
+
+/* Reads again, with its fields, the case of a row. */
+static enum status read_fields(const struct plan *plan, const struct study *s, int level,
+                               const char *folder, struct run_result *r)
+{
+    char path[PATH];
+
+    run_result_clear(r);
+    if (s->row[level].lost)
+        return STATUS_OK;
+    file_of(plan, s->plan, s->row[level].level, folder, path);
+    return run_result_read(path, true, r, NULL);
+}
+
+/* Compares the cases of a sweep with the reference of each, of which one is held. */
+static enum status compare_all(const struct plan *plan, const char *folder, struct study *s)
+{
+    struct run_result one = {0}, reference = {0};
+    double *rest = NULL;
+    int held = -1;
+    enum status st = STATUS_OK;
+
+    for (int n = 0; plan->reference.count && n < s->plan->level_count; n++) {
+        const int other = plan_level_with(s->plan, s->row[n].level, &plan->reference);
+        if (s->row[n].lost || other < 0)
+            continue;
+        TRY(read_fields(plan, s, n, folder, &one));
+        if (other != held) {
+            TRY(read_fields(plan, s, other, folder, &reference));
+            free(rest);
+            rest = s->row[other].lost ? NULL : metric_rest_field(&reference.scene);
+            held = other;
+        }
+        s->row[n].result.value[MEASURE_REFERENCE_ERROR_MAX] =
+            reference_error(&one, &s->row[other], &reference, rest);
+    }
+out:
+    run_result_clear(&one);
+    run_result_clear(&reference);
+    free(rest);
+    return st;
+}
+
 static enum status read_one(const struct plan *plan, const struct plan_study *study,
-                            const char *folder, bool quick, struct study *s,
+                            const char *folder, struct study_results *d, struct study *s,
                             struct message *why)
 {
+    const bool sweep = !plan_is_study(plan);
     struct study_row *row;
     struct plan_case base;
     char path[PATH];
@@ -235,11 +358,15 @@ static enum status read_one(const struct plan *plan, const struct plan_study *st
     TRY(row ? STATUS_OK : STATUS_MEMORY);
     for (int n = 0; n < study->level_count; n++) {
         row[n].level = &study->levels[n];
-        row[n].left_out = quick && study->levels[n].slow;
-        file_of(study, row[n].level, folder, path);
-        if (!row[n].left_out)
+        row[n].left_out = d->quick && study->levels[n].slow;
+        file_of(plan, study, row[n].level, folder, path);
+        if (sweep)
+            TRY(read_case(plan, study, path, &d->arena, &row[n]));
+        else if (!row[n].left_out)
             TRY(run_result_read(path, true, &row[n].result, why));
     }
+    if (sweep)
+        return compare_all(plan, folder, s);
     choose_times(study, s);
     for (int n = 0; n < study->level_count; n++) {
         for (int t = 0; t < s->frames && t < row[n].result.frames; t++)
@@ -270,7 +397,7 @@ static bool is_quick(const struct plan *plan, const char *folder)
 
     while (n < study->level_count - 1 && study->levels[n].slow)
         n++;
-    file_of(study, &study->levels[n], folder, path);
+    file_of(plan, study, &study->levels[n], folder, path);
     const bool quick = run_result_read(path, false, &r, NULL) == STATUS_OK && r.quick;
     run_result_clear(&r);
     return quick;
@@ -285,9 +412,9 @@ enum status study_read(const struct plan *plan, const char *folder, struct study
         .plan = plan, .count = plan->study_count, .quick = is_quick(plan, folder)};
     r->study = calloc((size_t)r->count + 1, sizeof *r->study);
     TRY(r->study ? STATUS_OK : STATUS_MEMORY);
-    file_of(&plan->studies[0], &plan->studies[0].levels[0], folder, r->machine);
+    file_of(plan, plan->studies, plan->studies->levels, folder, r->machine);
     for (int n = 0; n < r->count; n++)
-        TRY(read_one(plan, &plan->studies[n], folder, r->quick, &r->study[n], why));
+        TRY(read_one(plan, &plan->studies[n], folder, r, &r->study[n], why));
 out:
     if (st != STATUS_OK)
         study_clear(r);
@@ -304,6 +431,7 @@ void study_clear(struct study_results *r)
         truth_destroy(s->truth);
     }
     free(r->study);
+    arena_clear(&r->arena);
     *r = (struct study_results){0};
 }
 

@@ -1,5 +1,6 @@
 /* study.h - measures the studies of a plan (plan.h) together, keeps a result file of each
- * level, FOLDER/STUDY_LEVEL.h5, and reads the files as numbers.
+ * level, FOLDER/STUDY_LEVEL.h5, in a sweep FOLDER/case_000001.h5, and reads the files as
+ * numbers. A sweep is a plan without times: whatever comes of its cases is a row.
  */
 #ifndef STUDY_H
 #define STUDY_H
@@ -144,7 +145,9 @@ double quantity_at(const struct place *p, enum quantity q);
 
 struct study_row {
     const struct plan_level *level; /*                                        borrowed  */
-    bool left_out; /* by a quick run: there is nothing else                            */
+    bool left_out;    /* by a quick run, or lost: there is nothing else                   */
+    const char *lost; /* why a sweep has no result of it; NULL: it has                  */
+    bool again;       /* lost, but the next sweep runs it                               */
     struct run_result result; /* with its fields; of the truth its scene alone   owned  */
     double
         theory; /* drop of a cantilever's tip at rest over L (truth_plate_drop), or NaN */
@@ -178,6 +181,7 @@ struct study_results {
     int count;
     struct study *study; /* [count]                                              owned  */
     bool quick;          /* some of it is of less than the plan says                    */
+    struct arena arena;  /* of why cases are lost                                owned  */
     char machine[4096];  /* a file whose provenance holds for all                       */
 };
 
@@ -189,7 +193,8 @@ struct place {
 };
 
 /* Runs and times all levels of all studies, interleaved, and their truths. Deaths and
- * refusals are results. */
+ * refusals are results; in a sweep, whose cases are run once each, so is all that may come
+ * of a case. The folder is locked meanwhile. */
 enum status study_measure(const struct plan *plan, const char *folder,
                           const struct measurement_options *options, struct message *why);
 

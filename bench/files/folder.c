@@ -2,6 +2,8 @@
 
 #include <dirent.h>
 #include <errno.h>
+#include <fcntl.h>
+#include <fnmatch.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -24,6 +26,39 @@ enum status folder_make(const char *path, struct message *why)
             *end = '/';
     }
     return STATUS_OK;
+}
+
+enum status folder_lock(const char *path, int *lock, struct message *why)
+{
+    struct flock whole = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
+    char name[4096];
+    enum status st = folder_make(path, why);
+
+    *lock = -1;
+    TRY(st);
+    if (snprintf(name, sizeof name, "%s/lock", path) >= (int)sizeof name)
+        TRY(status_fail(why, STATUS_FILE, "%.60s...: the path is too long", path));
+    /* a pipe without a reader would be waited for */
+    *lock = open(name, O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
+    if (*lock < 0)
+        TRY(status_fail(why, STATUS_FILE, "%s: cannot be opened: %s", name,
+                        strerror(errno)));
+    if (fcntl(*lock, F_SETLK, &whole) != 0 && (errno == EACCES || errno == EAGAIN))
+        st = status_fail(why, STATUS_FILE, "%s: another run is at work in this folder",
+                         path); /* a file system without locks is forgiven */
+out:
+    return st;
+}
+
+void folder_tidy(const char *path)
+{
+    DIR *folder = opendir(path);
+
+    for (const struct dirent *e; folder && (e = readdir(folder));)
+        if (fnmatch("*.[0-9]*-[0-9]*.part", e->d_name, 0) == 0)
+            unlinkat(dirfd(folder), e->d_name, 0);
+    if (folder)
+        closedir(folder);
 }
 
 bool folder_is(const char *path)

@@ -8,6 +8,15 @@
 /* Makes a folder and those it is in, like mkdir -p. STATUS_FILE with a sentence. */
 enum status folder_make(const char *path, struct message *why);
 
+/* Makes a folder and locks it for this process alone; *lock is a file to close. The system
+ * drops the lock when the process dies, however it does, and children do not have it.
+ * STATUS_FILE with a sentence: it cannot be written, or another process has it. */
+enum status folder_lock(const char *path, int *lock, struct message *why);
+
+/* Removes the files `NAME.PID-N.part` (atomic_file.h) that killed processes left half done.
+ */
+void folder_tidy(const char *path);
+
 /* Tells whether there is a folder of this path. */
 bool folder_is(const char *path);
 

@@ -87,68 +87,7 @@ out:
     return st;
 }
 
-/* --- texts ---------------------------------------------------------------------------- */
-
-enum { SEAL_MOST = 64, SIZE_MOST = 1 << 16 };
-
-unsigned long seal_text_sum(unsigned long before, const void *bytes, size_t size)
+unsigned long seal_sum(unsigned long before, const void *bytes, size_t size)
 {
     return size ? crc32(before, bytes, (unsigned)size) : before; /* of NULL it is 0 */
-}
-
-/* Writes the last line for text[size]. */
-static void seal_of(const char *text, size_t size, char seal[SEAL_MOST])
-{
-    snprintf(seal, SEAL_MOST, "sealed: %zu bytes, crc32 %08lx\n", size,
-             seal_text_sum(0, text, size));
-}
-
-enum status seal_text_write(const char *path, const char *text, struct message *why)
-{
-    struct output *out = NULL;
-    char seal[SEAL_MOST];
-    enum status st = output_create(path, &out, why);
-
-    if (st != STATUS_OK)
-        return st;
-    seal_of(text, strlen(text), seal);
-    output_print(out, "%s%s", text, seal);
-    return output_close(&out, why);
-}
-
-/* Returns whether text[size] ends in its seal, which is then cut off. */
-static bool unseal(char *text, size_t size)
-{
-    char wanted[SEAL_MOST];
-    size_t end = size ? size - 1 : 0;
-
-    while (end && text[end - 1] != '\n')
-        end--;
-    seal_of(text, end, wanted);
-    if (strlen(wanted) != size - end || memcmp(wanted, text + end, size - end) != 0)
-        return false;
-    text[end] = '\0';
-    return strlen(text) == end;
-}
-
-enum status seal_text_read(const char *path, char **text, struct message *why)
-{
-    char *bytes = NULL;
-    const char *reason;
-    FILE *file = input_file_open(path, &reason);
-    enum status st = STATUS_OK;
-
-    if (!file)
-        return status_fail(why, STATUS_FILE, "%s: cannot be read: %s", path, reason);
-    bytes = malloc(SIZE_MOST + 1);
-    TRY(bytes ? STATUS_OK : STATUS_MEMORY);
-    if (!unseal(bytes, fread(bytes, 1, SIZE_MOST, file)))
-        TRY(status_fail(why, STATUS_INPUT,
-                        "%s: is damaged: it is no longer what its last line says it was",
-                        path));
-    *text = bytes, bytes = NULL;
-out:
-    fclose(file);
-    free(bytes);
-    return st;
 }

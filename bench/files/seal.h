@@ -17,19 +17,8 @@ enum status seal_write(const char *path, struct message *why);
  * cannot be read; STATUS_INPUT: it is damaged, or no result file; with a sentence. */
 enum status seal_check(const char *path, long *size, struct message *why);
 
-/* The functions below handle small text files that are read back: their last line is a
- * checksum of the lines before it, so that damage is noticed. */
-
 /* Returns the CRC-32 (ISO 3309) of so many bytes, which identifies texts and files;
  * `before` is that of the preceding bytes, 0 at first. */
-unsigned long seal_text_sum(unsigned long before, const void *bytes, size_t size);
-
-/* Writes a text, which ends in a line's end, and its seal, as output.h does.
- * STATUS_FILE. */
-enum status seal_text_write(const char *path, const char *text, struct message *why);
-
-/* Reads a text without its seal; *text is freed by the receiver. STATUS_FILE: it cannot be
- * read; STATUS_INPUT: it is damaged; with a sentence. */
-enum status seal_text_read(const char *path, char **text, struct message *why);
+unsigned long seal_sum(unsigned long before, const void *bytes, size_t size);
 
 #endif

@@ -25,7 +25,7 @@ char *case_file(const char *folder, const char *name)
 
 static void add_text(unsigned long *sum, const char *text)
 {
-    *sum = seal_text_sum(*sum, text, strlen(text) + 1);
+    *sum = seal_sum(*sum, text, strlen(text) + 1);
 }
 
 unsigned long case_program(bool timed)
@@ -51,8 +51,7 @@ void case_key(const struct case_plan *c, const struct scene *scene, unsigned lon
 
     add_text(&before, scene->text);
     add_text(&before, c->contestant->name);
-    before = seal_text_sum(before, numbers, sizeof numbers);
-    before =
-        seal_text_sum(before, c->keep.time, (size_t)c->keep.times * sizeof *c->keep.time);
+    before = seal_sum(before, numbers, sizeof numbers);
+    before = seal_sum(before, c->keep.time, (size_t)c->keep.times * sizeof *c->keep.time);
     snprintf(key, CASE_KEY, "a case of %08lx", before);
 }

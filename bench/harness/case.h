@@ -23,7 +23,7 @@ enum run_fields {
 struct run_keep {
     const char *file;   /* FILE.h5; NULL: none, the result alone                       */
     int every;          /* frames from look to look, the last one, too; 0: none        */
-    int times;          /* further looks at                                            */
+    int times;          /* further looks at; < 0: the scene's snapshots (measurement.h) */
     const double *time; /* [times], multiples of the step, increasing [s]              */
     enum run_fields fields;
     bool intersections;   /* count self-intersections at every look                      */

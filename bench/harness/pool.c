@@ -2,6 +2,7 @@
 
 #include <assert.h>
 #include <signal.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <time.h>
 
@@ -213,6 +214,11 @@ out:
 
 void pool_raise(const struct pool *pool)
 {
+    fprintf(
+        stderr,
+        "clothbench: stopped by signal %d after %ld cases; what is done is kept, and the "
+        "same command goes on\n",
+        pool->stopped_by, pool->ran);
     signal(pool->stopped_by, SIG_DFL);
     raise(pool->stopped_by);
 }
@@ -229,14 +235,11 @@ static void answer(const struct pool *pool, long job, const struct child_end *en
         0, &(struct ranks_message){.kind = MESSAGE_END, .job = job, .end = *end});
 }
 
-enum status pool_serve(struct pool *pool,
-                       enum status (*prepare)(void *context, struct message *why),
-                       struct message *why)
+enum status pool_serve(struct pool *pool, const char *trouble, struct message *why)
 {
     struct slot slot = {.pool = pool};
     struct sigaction old[STOP_SIGNALS];
     struct ranks_message message = {.kind = MESSAGE_JOB};
-    bool ready = false;
     int from;
     enum status st;
 
@@ -247,8 +250,9 @@ enum status pool_serve(struct pool *pool,
         if (pool->ranks->receive(&from, &message)) {
             if (message.kind != MESSAGE_JOB)
                 continue;
-            ready = ready || prepare(pool->context, &end.why) == STATUS_OK;
-            if (!ready || start(&slot, message.job, &end.why) != STATUS_OK)
+            if (trouble)
+                status_fail(&end.why, STATUS_FILE, "%s", trouble);
+            if (trouble || start(&slot, message.job, &end.why) != STATUS_OK)
                 answer(pool, message.job, &end);
         } else if (slot.child.pid && child_poll(&slot.child, &end)) {
             answer(pool, slot.job, &end);

@@ -36,14 +36,12 @@ struct pool {
  * that were running are given up. STATUS_OK with stopped_by: the user stopped it. */
 enum status pool_run(struct pool *pool, struct message *why);
 
-/* Ends the program as the signal that stopped the pool would have. */
+/* Ends the program as the signal that stopped the pool would have, with a sentence. */
 void pool_raise(const struct pool *pool);
 
 /* Serves rank 0 on the other ranks until it says that it is over: does `work` of the jobs
- * that come; prepare(), which may set the time limit, is called once before the first. */
-enum status pool_serve(struct pool *pool,
-                       enum status (*prepare)(void *context, struct message *why),
-                       struct message *why);
+ * that come, or answers with the trouble because of which it can do none (NULL: it can). */
+enum status pool_serve(struct pool *pool, const char *trouble, struct message *why);
 
 /* Tells the other ranks that it is over. */
 void pool_dismiss(const struct ranks *ranks);

@@ -398,3 +398,15 @@ enum status run_file_write(const struct case_plan *c, struct run_result *result,
     run_close(&run);
     return st;
 }
+
+enum status run_file_lost(const struct case_plan *c, const struct run *run,
+                          const struct message *said, struct message *why)
+{
+    struct run_file *f;
+    enum status st = run_file_open(run, &c->keep, &f, why);
+
+    if (st != STATUS_OK)
+        return st;
+    refuse(f, STATUS_INPUT, said, why);
+    return run_file_close(f, NULL, NULL, why);
+}

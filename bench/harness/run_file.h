@@ -69,4 +69,8 @@ enum status run_file_make(const struct case_plan *c, struct run *run,
 enum status run_file_write(const struct case_plan *c, struct run_result *result,
                            struct message *why);
 
+/* Leaves the file of a run that was read and came to no result: its sentence says why. */
+enum status run_file_lost(const struct case_plan *c, const struct run *run,
+                          const struct message *said, struct message *why);
+
 #endif

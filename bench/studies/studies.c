@@ -1,9 +1,12 @@
+#include <omp.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "bench/claims/claim.h"
 #include "bench/claims/statements.h"
 #include "bench/experiment/kept.h"
+#include "bench/experiment/sweep.h"
 #include "bench/files/folder.h"
 #include "bench/harness/timing.h"
 #include "bench/ui/command.h"
@@ -33,13 +36,14 @@ static const struct command_item *const table_items[] = {
     &tables[3].item, &tables[4].item, NULL,
 };
 
-/* A table or study that a command line asks for. */
+/* A table, study or sweep that a command line asks for. */
 struct asked {
     struct plan plan;
     const char *from;  /* NULL: it is measured */
     char folder[4096]; /* of the result files                                            */
     struct printer *printer;
-    bool quick;
+    bool quick, quiet;
+    struct pool pool; /* of a sweep                                                      */
 };
 
 /* --- what the words mean -----------------------------------------------------------------
@@ -75,19 +79,25 @@ static enum status refuse(const struct command *command, const char *name,
                        table ? "" : ", or give the path of a plan with times");
 }
 
+static bool is_sweep(const struct command *command)
+{
+    return !strcmp(command->name, "sweep");
+}
+
 /* Reads the plan of a file, freed by the caller also after a failure, which must have
- * studies. */
-static enum status read_plan(const char *path, struct plan *plan, struct message *why)
+ * studies, or be a sweep. */
+static enum status read_plan(const struct command *command, const char *path,
+                             struct plan *plan, struct message *why)
 {
     enum status st;
 
     TRY(plan_read(path, plan, why));
     TRY(results_check(plan, why));
-    if (!plan_is_study(plan))
-        st = status_fail(why, STATUS_INPUT,
-                         "%s: the plan has no times, so it is no study; clothbench sweep "
-                         "runs it",
-                         path);
+    if (plan_is_study(plan) == is_sweep(command))
+        st = status_fail(
+            why, STATUS_INPUT, "%s: the plan has %s, so it is no %s; clothbench %s runs it",
+            path, is_sweep(command) ? "times" : "no times",
+            is_sweep(command) ? "sweep" : "study", is_sweep(command) ? "study" : "sweep");
 out:
     return st;
 }
@@ -111,13 +121,15 @@ static enum status choose(const struct command_line *line, struct asked *a,
     if (item)
         TRY(named_file_find(&plan_kind, ((const struct table_plan *)item)->plan, &path,
                             why));
+    else if (is_sweep(command))
+        TRY(named_file_find(&plan_kind, word, &path, why));
     else {
         st = table ? STATUS_INPUT : named_file_find(&plan_study_kind, word, &path, NULL);
         if (st != STATUS_OK && st != STATUS_MEMORY)
             st = refuse(command, word, why);
         TRY(st);
     }
-    TRY(read_plan(path, &a->plan, why));
+    TRY(read_plan(command, path, &a->plan, why));
     snprintf(a->folder, sizeof a->folder, "results/%s%s%s", command->name, table ? "" : "_",
              item ? item->name : a->plan.name);
 out:
@@ -143,6 +155,29 @@ out:
 
 /* --- what is done ------------------------------------------------------------------------
  */
+
+static enum status read_sweep(struct command_line *line, struct asked *a,
+                              struct message *why)
+{
+    const char *folder = command_value(line, "--out");
+    const struct ranks *ranks = a->pool.ranks;
+    long jobs = 0;
+    enum status st;
+
+    a->quiet = command_given(line, "--quiet");
+    TRY(command_integer(line, "--jobs", 1, 1024, &jobs, why));
+    if (jobs && ranks)
+        TRY(status_fail(why, STATUS_INPUT,
+                        "--jobs: under mpirun every rank runs one case at a time; say "
+                        "how many with mpirun -n"));
+    a->pool.slots = ranks ? 1 : jobs ? (int)jobs : timing_processors();
+    TRY(choose(line, a, why));
+    a->pool.time_limit = a->plan.time_limit;
+    if (folder)
+        snprintf(a->folder, sizeof a->folder, "%s", folder);
+out:
+    return st;
+}
 
 /* Runs all cases on one thread and one processor: models are compared, not schedulers. */
 static enum status measure(const struct asked *a, struct message *why)
@@ -269,6 +304,91 @@ out:
     return st;
 }
 
+/* --- sweeps ------------------------------------------------------------------------------
+ */
+
+static void print_cost(const struct asked *a)
+{
+    const struct pool *p = &a->pool;
+
+    if (p->ran)
+        printf("%ld cases run now, %d at a time: %.3g s of processor time each, %.4g s in "
+               "all within %.4g s; efficiency %.1f %%.\n",
+               p->ran, p->hands, p->seconds / (double)p->ran, p->seconds, p->wall,
+               100 * p->seconds / (p->wall * p->hands));
+    else
+        printf("Nothing was left to run.\n");
+    printf("%s: table.csv, a file a case; clothbench report %s draws them.\n", a->folder,
+           a->folder);
+}
+
+static enum status sweep(struct asked *a, struct message *why)
+{
+    struct measurement_taken taken = {0};
+    const struct measurement_options how = {.pool = &a->pool, .taken = &taken};
+
+    return study_measure(&a->plan, a->folder, &how, why);
+}
+
+/* Does on another rank the cases that rank 0 hands out, which tells what is wrong. */
+static void serve(struct command_line *line, struct asked *a)
+{
+    struct message why = {""};
+    enum status st = read_sweep(line, a, &why);
+
+    if (st == STATUS_OK)
+        st = sweep(a, &why);
+    if (st != STATUS_OK && !a->pool.work)
+        pool_serve(&a->pool, *why.text ? why.text : status_text(st), NULL);
+}
+
+/* Runs what is left of a sweep, and makes its table from the files of all cases. */
+static enum status lead(struct command_line *line, struct asked *a, struct message *why)
+{
+    struct printer files = {.folder = a->folder};
+    struct study_results r = {0};
+    enum status st;
+
+    TRY(read_sweep(line, a, why));
+    TRY(sweep(a, why));
+    TRY(study_read(&a->plan, a->folder, &r, why));
+    TRY(sweep_save(&r, &files, why));
+    if (!a->quiet) {
+        sweep_print(&r, stdout);
+        print_cost(a);
+    }
+    TRY(ferror(stdout) ? STATUS_FILE : STATUS_OK);
+out:
+    study_clear(&r);
+    return st;
+}
+
+static enum status run_sweep(struct command_line *line, struct message *why)
+{
+    struct asked *a = calloc(1, sizeof *a);
+    const struct ranks *ranks = NULL;
+    enum status st = a ? STATUS_OK : STATUS_MEMORY;
+
+    TRY(st);
+    omp_set_num_threads(1);
+    signal(SIGXFSZ, SIG_IGN); /* a limit on file sizes is a full disk, not a death */
+    TRY(ranks_start(&ranks, why));
+    a->pool.ranks = ranks;
+    if (ranks && ranks->rank)
+        serve(line, a);
+    else
+        st = lead(line, a, why);
+    if (ranks && !ranks->rank)
+        pool_dismiss(ranks);
+    if (ranks)
+        ranks->finish();
+out:
+    if (a)
+        plan_clear(&a->plan);
+    free(a);
+    return st;
+}
+
 /* --- the commands ------------------------------------------------------------------------
  */
 
@@ -343,4 +463,47 @@ const struct command studies_command = {
     .options = options,
     .section = "studies",
     .run = run,
+};
+
+#define SWEEP_PLAN                                                                         \
+    "    name: mine\n"                                                                     \
+    "    source: how stretch and drop depend on stiffness and weight\n"                    \
+    "    scene: edge_drop\n"                                                               \
+    "    model: mass_spring\n"                                                             \
+    "    axes:\n"                                                                          \
+    "      material.young: [5e4, 1e5]\n"                                                   \
+    "      material.density: [0.3, 0.5, 0.7]\n"
+
+static const struct command_option sweep_options[] = {
+    {"--jobs", "N", false, "cases that run at a time (the number of processors)"},
+    {"--out", "DIR", false, "folder of the results (results/sweep_NAME)"},
+    {"--quiet", NULL, false, "print no progress bar and no summary"},
+    {NULL, NULL, false, NULL},
+};
+
+const struct command studies_sweep_command = {
+    .name = "sweep",
+    .summary = "run many cases of one plan: which parameters give cloth?",
+    .arguments = "PLAN [OPTION]...",
+    .text =
+        "Runs every case of a plan, each in a process of its own, judges them by the\n"
+        "plan's rules, and writes one result file a case and table.csv with all keys and\n"
+        "measures, which `clothbench report` draws as a map: the last axis along x, the\n"
+        "one before it along y, and a panel for each case of the others. PLAN is\n"
+        "feasibility, stability, table4, refinement, refinement_nets, remedies or a YAML\n"
+        "file; the other plans of `clothbench list plans` have times and are for\n"
+        "`clothbench study`. A case that\n"
+        "dies, hangs or is refused is a row, too. This plan has two by three cases;\n"
+        "`clothbench help plan` has all keys:\n"
+        "\n" SWEEP_PLAN "\n"
+        "Ctrl-C, SIGKILL or a full disk cost only the cases that are running. The same\n"
+        "command continues: it repeats cases that were killed or suspended, ran out of\n"
+        "memory, or have a damaged file, and those whose scene, settings or models'\n"
+        "sources are not what they were. Under mpirun the ranks share the cases; on\n"
+        "several machines they need the same folder.\n",
+    .examples = "sweep feasibility\nsweep mine.yaml --jobs 4 --out results/mine\n",
+    .least = 1,
+    .most = 1,
+    .options = sweep_options,
+    .run = run_sweep,
 };

@@ -231,7 +231,8 @@ static void add_fourth(struct cells *c)
         struct plan_case one = {0};
         struct scene scene;
         char row[WORD], words[WORD];
-        REQUIRE(plan_case_open(&plan, 2 * n, &one, NULL) == STATUS_OK);
+        REQUIRE(plan_case_level(&plan, plan.studies, &plan.studies->levels[2 * n], false,
+                                &one, NULL) == STATUS_OK);
         REQUIRE(plan_case_scene(&one, &scene, NULL) == STATUS_OK);
         snprintf(row, WORD, "%d", n + 1);
         words_of(p->labels, words);

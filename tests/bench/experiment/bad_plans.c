@@ -61,6 +61,7 @@ static const struct wrong BAD[] = {
     {14, "verdicts: [{label: big, measure: drop_max, abov: 1, why: x}]"},
     {15, "colour: red"},
     {15, "look: 3"},
+    {12, "reference: {damping.value: 0.1}"}, /* it keeps no snapshots */
     {15, "skip: [{study: edge}]"},
     {15, "- x"},
 };

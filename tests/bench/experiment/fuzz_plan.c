@@ -58,7 +58,7 @@ enum status __wrap_named_file_find(const struct named_file_kind *kind, const cha
 
 static void check_plan(const struct plan *plan)
 {
-    const long last = plan_case_count(plan) - 1;
+    const struct plan_study *last = &plan->studies[plan->study_count - 1];
     struct plan_case c;
     struct message why = {""};
 
@@ -68,7 +68,8 @@ static void check_plan(const struct plan *plan)
     for (int n = 0; n < plan->study_count; n++)
         for (int k = 0; k < plan->studies[n].level_count; k++)
             MUST(fuzz_is_line(plan->studies[n].levels[k].label));
-    if (plan_case_open(plan, last, &c, &why) != STATUS_OK)
+    if (plan_case_level(plan, last, &last->levels[last->level_count - 1], false, &c,
+                        &why) != STATUS_OK)
         fuzz_check_sentence(&why, "fuzz:"); /* values were tried, not all combinations */
     plan_case_clear(&c);
 }

@@ -97,7 +97,8 @@ static void check_quotes(void)
             printf("  %s: %s\n", text, why.text);
             continue;
         }
-        REQUIRE(plan_case_open(&plan, 0, &c, &why) == STATUS_OK);
+        REQUIRE(plan_case_level(&plan, plan.studies, plan.studies->levels, false, &c,
+                                &why) == STATUS_OK);
         CHECK(strstr(c.run.path, "edge_drop.yaml") &&
               !strcmp(c.run.contestant->name, "iga"));
         plan_case_clear(&c);
@@ -142,7 +143,8 @@ static void check_good(void)
         struct plan_case c;
         struct scene scene;
 
-        REQUIRE(plan_case_open(&plan, n, &c, &why) == STATUS_OK);
+        REQUIRE(plan_case_level(&plan, plan.studies, &plan.studies->levels[n], false, &c,
+                                &why) == STATUS_OK);
         REQUIRE(plan_case_scene(&c, &scene, &why) == STATUS_OK);
         CHECK(!strcmp(plan_label(c.study, c.level, "case"), n < 6 ? "a" : "b"));
         CHECK(scene.poisson == (n < 6 ? 0.3 : 0.2) && scene.end == 0.5);
@@ -231,7 +233,8 @@ static void check_first(void)
 
     REQUIRE(read_plan(text, 4, 0, "", &plan, NULL) == STATUS_OK);
     CHECK(!strcmp(plan.keys[0], "gamma"));
-    REQUIRE(plan_case_open(&plan, 0, &c, NULL) == STATUS_OK);
+    REQUIRE(plan_case_level(&plan, plan.studies, plan.studies->levels, false, &c, NULL) ==
+            STATUS_OK);
     REQUIRE(plan_case_scene(&c, &scene, NULL) == STATUS_OK);
     CHECK_RELATIVE(scene_gamma(&scene), 100.0, tol_gamma);
     scene_clear(&scene);

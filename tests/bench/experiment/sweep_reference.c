@@ -1,10 +1,10 @@
 /* Tests the comparison of cases with a reference, from made-up files: known errors, every
- * way a case can end, files that are damaged, missing or cut short; references that are
- * none. */
+ * way a case can end, files that are damaged, missing or cut short. */
 #include <unistd.h>
 
 #include "bench/harness/run_file.h"
-#include "bench/sweep/sweep.h"
+#include "bench/experiment/sweep.h"
+#include "models/reader/csv.h"
 #include "tests/fresh.h"
 #include "tests/scripted_model.h"
 
@@ -57,18 +57,18 @@ static void sample(const void *state, double *xyz)
     }
 }
 
-static void make_case(const struct sweep_folder *folder, const struct plan *plan, int n)
+static void make_case(const struct plan *plan, int n)
 {
     static const double times[] = {0.1, 0.2, 0.3};
+    const struct message said = {"ended"};
     struct model model = scripted_model;
     const struct contestant contestant = {.name = "made up", .model = &model, .degree = 1};
-    char path[SWEEP_FOLDER_PATH];
+    char path[32];
     struct plan_case c;
+    struct run run;
 
-    REQUIRE(plan_case_open(plan, n, &c, NULL) == STATUS_OK);
-    if (cases[n].kind == FAILED || cases[n].kind == CUT)
-        REQUIRE(sweep_folder_write(folder, n, "key", cases[n].kind == CUT, "ended", NULL) ==
-                STATUS_OK);
+    REQUIRE(plan_case_level(plan, plan->studies, &plan->studies->levels[n], false, &c,
+                            NULL) == STATUS_OK);
     script_reset();
     model.sample = sample;
     off = cases[n].off;
@@ -76,18 +76,24 @@ static void make_case(const struct sweep_folder *folder, const struct plan *plan
     script.death = STATUS_NAN;
     script.create = cases[n].kind == REFUSES ? STATUS_UNSUPPORTED : STATUS_OK;
     settings_set(&c.run.settings, "discretization.points=[4,4]");
-    sweep_folder_file(folder, n, "h5", path);
-    if (cases[n].kind < FAILED || cases[n].kind == DAMAGED)
-        REQUIRE(run_file_write(
-                    &(struct case_plan){
-                        c.run.path,
-                        &contestant,
-                        c.run.settings,
-                        0,
-                        {.file = path, .times = 3, .time = times, .doubles = true}},
-                    NULL, NULL) == STATUS_OK);
+    snprintf(path, sizeof path, "./case_%06d.h5", n + 1);
+    const struct case_plan made = {c.run.path,
+                                   &contestant,
+                                   c.run.settings,
+                                   0,
+                                   {.file = path,
+                                    .times = 3,
+                                    .time = times,
+                                    .doubles = true,
+                                    .made_for = cases[n].kind == FAILED ? "key" : NULL}};
+    REQUIRE(run_read(&run, &made, NULL) == STATUS_OK);
+    if (cases[n].kind == FAILED || cases[n].kind == CUT)
+        REQUIRE(run_file_lost(&made, &run, &said, NULL) == STATUS_OK);
+    else if (cases[n].kind != GONE)
+        REQUIRE(run_file_make(&made, &run, NULL, NULL) == STATUS_OK);
     if (cases[n].kind == DAMAGED)
         REQUIRE(truncate(path, 4000) == 0);
+    run_close(&run);
     plan_case_clear(&c);
 }
 
@@ -103,34 +109,26 @@ static void plan_of(const char *text, struct plan *plan)
 
 static void check_errors(void)
 {
-    const struct sweep_folder folder = {.path = ".", .lock = -1};
-    struct sweep_rows rows;
+    struct study_results d;
     struct plan plan;
+    struct csv csv;
 
     plan_of(PLAN "keep: snapshots\nreference: {time.step: 0.01}\n", &plan);
-    REQUIRE(sweep_rows_check(&plan, NULL) == STATUS_OK);
     for (int n = 0; n < CASES; n++)
-        make_case(&folder, &plan, n);
-    REQUIRE(sweep_rows_read(&rows, &plan, &folder) == STATUS_OK);
-    REQUIRE(rows.count == CASES);
+        make_case(&plan, n);
+    REQUIRE(study_read(&plan, ".", &d, NULL) == STATUS_OK);
+    REQUIRE(sweep_save(&d, &(struct printer){.folder = "."}, NULL) == STATUS_OK);
+    REQUIRE(csv_read("table.csv", &csv, NULL) == STATUS_OK && csv.table->rows == CASES);
     for (int n = 0; n < CASES; n++) {
-        const double is = rows.row[n].value[MEASURE_REFERENCE_ERROR_MAX];
+        const double is = csv_number_of(csv.table, n, "reference_error_max");
         const double want = cases[n].error;
-        if (!CHECK(!strcmp(rows.row[n].label, cases[n].label)) ||
+        if (!CHECK(!strcmp(csv_words_of(csv.table, n, "labels"), cases[n].label)) ||
             !CHECK(isfinite(want) ? fabs(is - want) < TOL_DOUBLE
                                   : isnan(is) == isnan(want) && isinf(is) == isinf(want)))
-            printf("  case %d: %s, %g: %s\n", n, rows.row[n].label, is, rows.row[n].why);
+            printf("  case %d: %s, %g\n", n, csv_words_of(csv.table, n, "labels"), is);
     }
-    arena_clear(&rows.arena);
-    plan_clear(&plan);
-}
-
-static void check_refusals(void)
-{
-    struct plan plan;
-
-    plan_of(PLAN "reference: {time.step: 0.05}\n", &plan);
-    CHECK(sweep_rows_check(&plan, NULL) == STATUS_INPUT);
+    csv_clear(&csv);
+    study_clear(&d);
     plan_clear(&plan);
 }
 
@@ -140,6 +138,5 @@ int main(int argc, char **argv)
     fresh_folder(argv[1]);
     REQUIRE(chdir(argv[1]) == 0);
     check_errors();
-    check_refusals();
     return check_result();
 }

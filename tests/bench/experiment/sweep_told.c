@@ -3,15 +3,14 @@
 #include <unistd.h>
 
 #include "models/reader/csv.h"
-#include "bench/files/seal.h"
-#include "bench/sweep/sweep.h"
+#include "bench/experiment/sweep.h"
 #include "tests/fresh.h"
 
-/* Reads a plan and makes its rows, empty. */
-static struct sweep_rows begin(const char *text, struct plan *plan)
+/* Reads a plan and makes the rows of its only study, empty. */
+static struct study_results begin(const char *text, struct plan *plan)
 {
     struct message why = {""};
-    struct sweep_rows rows;
+    struct study_results d = {.plan = plan, .count = 1};
     FILE *file = fopen("plan.yaml", "w");
 
     REQUIRE(file && fputs(text, file) >= 0 && fclose(file) == 0);
@@ -19,28 +18,17 @@ static struct sweep_rows begin(const char *text, struct plan *plan)
         printf("%s\n", why.text);
         exit(1);
     }
-    sweep_rows_init(&rows, plan);
-    return rows;
-}
-
-static void end(struct sweep_rows *rows, struct plan *plan)
-{
-    arena_clear(&rows->arena);
-    plan_clear(plan);
+    d.study = calloc(1, sizeof *d.study);
+    REQUIRE(d.study);
+    d.study->plan = plan->studies;
+    d.study->row = calloc((size_t)plan->studies->level_count + 1, sizeof *d.study->row);
+    REQUIRE(d.study->row);
+    for (int n = 0; n < plan->studies->level_count; n++)
+        d.study->row[n].level = &plan->studies->levels[n];
+    return d;
 }
 
 static const struct printer files = {.folder = "."};
-
-/* Fills a row: all measures are `value`. */
-static void set(struct sweep_rows *rows, long number, enum sweep_state state,
-                enum status outcome, double value, const char *why)
-{
-    struct run_result r = {.outcome = outcome};
-
-    for (int n = 0; n < MEASURES; n++)
-        r.value[n] = value;
-    sweep_rows_set(rows, number, state, &r, why);
-}
 
 static void holds(const char *what, const char *text, const char *part)
 {
@@ -68,20 +56,20 @@ static const char plan_text[] =
 /* --- the table --- */
 
 static const struct {
-    enum sweep_state state;
+    enum { RAN, LOST, AGAIN } state;
     enum status outcome;
     double value; /* of the measures, but for a little that each has of its own           */
     const char *why, *verdict, *labels;
 } told[] = {
     /* clang-format off */
-    {SWEEP_RAN, STATUS_OK, 0.25, "done", "feasible", "feasible"},
-    {SWEEP_RAN, STATUS_NAN, 0.75, "died at t = 1 s: of \"x\"", "infeasible", "big"},
-    {SWEEP_OPEN, STATUS_OK, 7, "killed", "none", "run again"},
-    {SWEEP_OPEN, STATUS_OK, 7, "its file is damaged", "none", "run again"},
-    {SWEEP_RAN, STATUS_UNSUPPORTED, NAN, "no contact", "none", "unsupported"},
-    {SWEEP_FAILED, STATUS_OK, 7, "timed out after 1 s", "none", "no result"},
-    {SWEEP_OPEN, STATUS_OK, 7, "its file is gone", "none", "run again"},
-    {SWEEP_RAN, STATUS_OK, NAN, "done", "not judged", "not judged: big, odd"},
+    {RAN, STATUS_OK, 0.25, "done", "feasible", "feasible"},
+    {RAN, STATUS_NAN, 0.75, "died at t = 1 s: of \"x\"", "infeasible", "big"},
+    {AGAIN, STATUS_OK, 7, "killed", "none", "run again"},
+    {AGAIN, STATUS_OK, 7, "its file is damaged", "none", "run again"},
+    {RAN, STATUS_UNSUPPORTED, NAN, "no contact", "none", "unsupported"},
+    {LOST, STATUS_OK, 7, "timed out after 1 s", "none", "no result"},
+    {AGAIN, STATUS_OK, 7, "its file is gone", "none", "run again"},
+    {RAN, STATUS_OK, NAN, "done", "not judged", "not judged: big, odd"},
     /* clang-format on */
 };
 enum { TOLD = sizeof told / sizeof *told };
@@ -91,7 +79,7 @@ static const double OWN = 1e-5; /* what a measure has more than the one before i
 /* Checks a row: its keys, its measures each under its name, how it ends. */
 static void check_case(const struct csv_table *t, int n)
 {
-    const bool has_run = told[n].state == SWEEP_RAN && isfinite(told[n].value);
+    const bool has_run = told[n].state == RAN && isfinite(told[n].value);
     const double damping = 0.1 * (n % 4 + 1), rounding = 1e-12;
 
     CHECK(csv_number_of(t, n, "number") == n + 1);
@@ -114,7 +102,7 @@ static void check_case(const struct csv_table *t, int n)
 }
 
 /* Checks how many have which label and end, in what is printed for people. */
-static void check_counts(const struct sweep_rows *rows)
+static void check_counts(const struct study_results *d)
 {
     static const char *const label[] = {"feasible",   "big",      "odd",
                                         "not judged", "died",     "unsupported",
@@ -125,7 +113,7 @@ static void check_counts(const struct sweep_rows *rows)
     FILE *memory = open_memstream(&text, &size);
 
     REQUIRE(memory);
-    sweep_rows_print(rows, memory);
+    sweep_print(d, memory);
     REQUIRE(fclose(memory) == 0);
     for (int n = 0; n < 8; n++) {
         snprintf(line, sizeof line, "\n  %-24s%6d", label[n], count[n]);
@@ -137,46 +125,31 @@ static void check_counts(const struct sweep_rows *rows)
 static void check_table(void)
 {
     struct plan plan;
-    struct sweep_rows rows = begin(plan_text, &plan);
+    struct study_results d = begin(plan_text, &plan);
     struct csv csv;
 
-    REQUIRE(rows.count == TOLD);
+    REQUIRE(plan_case_count(&plan) == TOLD);
     for (int n = 0; n < TOLD; n++) {
-        set(&rows, n, told[n].state, told[n].outcome, told[n].value, told[n].why);
+        struct study_row *row = &d.study->row[n];
+        row->result.outcome = told[n].outcome;
+        snprintf(row->result.sentence.text, sizeof row->result.sentence.text, "%s",
+                 told[n].why);
+        row->lost = told[n].state == RAN ? NULL : told[n].why;
+        row->again = told[n].state == AGAIN;
         for (int m = 0; m < MEASURES; m++)
-            rows.row[n].value[m] += OWN * m;
+            row->result.value[m] = told[n].value + OWN * m;
     }
-    check_counts(&rows);
-    REQUIRE(sweep_rows_save(&rows, &files, NULL) == STATUS_OK);
+    check_counts(&d);
+    REQUIRE(sweep_save(&d, &files, NULL) == STATUS_OK);
     const struct csv_table *t = read_table("table.csv", &csv);
     REQUIRE(t->rows == TOLD);
     for (int n = 0; n < TOLD; n++)
         check_case(t, n);
     csv_clear(&csv);
     unlink("table.csv");
-    CHECK(sweep_rows_save(&rows, &(struct printer){.folder = "none"}, NULL) == STATUS_FILE);
-    end(&rows, &plan);
-}
-
-/* Checks files that are sealed but hold no sentence of a sweep. (sweep_ends.sh: files of
- * other cases and builds, damaged and missing ones.) */
-static void check_sentences(void)
-{
-    static const char *const text[] = {"", "case\n", "case\nfailed\n",
-                                       "case\nslept\nso it is\n"};
-    const struct sweep_folder here = {.path = "."};
-    struct run_result result;
-    struct message sentence;
-    enum sweep_state state;
-
-    for (size_t n = 0; n < sizeof text / sizeof *text; n++) {
-        REQUIRE(seal_text_write("case_000001.txt", text[n], NULL) == STATUS_OK);
-        REQUIRE(sweep_folder_read(&here, 0, NULL, false, &state, &result, &sentence) ==
-                STATUS_OK);
-        CHECK(state == (n == 2 ? SWEEP_FAILED : SWEEP_OPEN));
-    }
-    sweep_folder_remove(&here, 0);
-    CHECK(access("case_000001.txt", F_OK) != 0);
+    CHECK(sweep_save(&d, &(struct printer){.folder = "none"}, NULL) == STATUS_FILE);
+    study_clear(&d);
+    plan_clear(&plan);
 }
 
 int main(int argc, char **argv)
@@ -185,6 +158,5 @@ int main(int argc, char **argv)
     fresh_folder(argv[1]);
     REQUIRE(chdir(argv[1]) == 0);
     check_table();
-    check_sentences();
     return check_result();
 }

@@ -1,6 +1,6 @@
 /* Out of memory at the k-th allocation of every contestant, from create to destroy, for
  * every k: the status says so, nothing leaks.
- *   test_memory [CONTESTANT] */
+ *   test_memory [CONTESTANT]... */
 #define _GNU_SOURCE /* vasprintf, open_memstream */
 #include "bench/harness/contestant.h"
 #include "models/reader/scene_file.h"
@@ -144,8 +144,8 @@ static enum status read_bodies(const void *what, struct message *why)
 
 int main(int argc, char **argv)
 {
-    if (argc == 1)
-        try_all(&(struct deed){"a scene with bodies", read_bodies, NULL, .every = true});
-    try_models(argc > 1 ? argv[1] : NULL);
+    try_all(&(struct deed){"a scene with bodies", read_bodies, NULL, .every = true});
+    for (int n = 1; n < argc || n == 1; n++)
+        try_models(argv[n]); /* NULL behind the last: all */
     return asked ? check_result() : 77; /* libraries that cannot be wrapped */
 }

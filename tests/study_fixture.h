@@ -137,15 +137,13 @@ static inline void study_make(struct study_made *m, const char *name)
     REQUIRE(plan_read(path, &m->plan, &why) == STATUS_OK);
     m->r.plan = &m->plan;
     m->r.count = m->plan.study_count;
-    m->r.study = calloc((size_t)m->r.count, sizeof *m->r.study);
-    REQUIRE(m->r.study);
+    m->r.study = arena_take(&m->r.arena, (size_t)m->r.count, sizeof *m->r.study);
     m->truth = (struct truth){
         .times = PLAN_STUDY_TIMES, .error = m->error, .xyz = m->xyz, .source = "made up"};
     for (int k = 0; k < m->r.count; k++) {
         struct study *s = &m->r.study[k];
         s->plan = &m->plan.studies[k];
-        s->row = calloc((size_t)s->plan->level_count + 1, sizeof *s->row);
-        REQUIRE(s->row);
+        s->row = arena_take(&m->r.arena, (size_t)s->plan->level_count + 1, sizeof *s->row);
         s->frames = s->plan->time_count ? s->plan->time_count : 1;
         s->time = s->plan->time_count ? s->plan->times : NULL;
         s->gamma = 300 + k;

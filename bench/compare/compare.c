@@ -181,7 +181,7 @@ enum status compare_job_rows(void *job, int first, struct message *why)
     struct message said = {""};
     enum status st, late = STATUS_OK;
 
-    TRY(batch_init(&batch, j->folder, c->count - first));
+    batch_init(&batch, j->folder, c->count - first);
     for (int n = first; n < c->count; n++)
         plan_row(j, &c->rows[n], &batch);
     if (!j->read_only)

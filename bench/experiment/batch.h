@@ -2,7 +2,7 @@
  * file FOLDER/NAME.h5.
  *
  *     struct batch b;
- *     TRY(batch_init(&b, folder, 2));
+ *     batch_init(&b, folder, 2);
  *     struct case_plan *c = batch_add(&b, path, contestant, "iga_paper_10");
  *     c->timed = CASE_WHOLE;
  *     settings_number(&c->settings, "time.step", 0.005);
@@ -18,11 +18,12 @@
 struct batch {
     const char *folder; /*                                                     borrowed */
     int count, room;
-    struct case_plan *cases; /* [room]                                     owned */
+    struct case_plan *cases; /* [room]                                                 */
+    struct arena arena;      /* of these                                         owned */
 };
 
 /* Makes room for `most` cases. *b is overwritten. */
-enum status batch_init(struct batch *b, const char *folder, int most);
+void batch_init(struct batch *b, const char *folder, int most);
 void batch_clear(struct batch *b); /* all-zero is allowed */
 
 /* Adds a case, to be filled: it keeps no fields and is not timed unless told so. `c` is

@@ -218,13 +218,13 @@ static enum status time_all(struct bar *bar, int count, struct job *jobs,
                             struct message *why)
 {
     const struct measurement_options *options = bar->options;
-    struct timing_case *timing = calloc((size_t)count + 1, sizeof *timing);
+    struct arena arena = {0};
+    struct timing_case *timing = arena_take(&arena, (size_t)count, sizeof *timing);
     const struct timing_plan plan = {
         .quick = options->quick, .progress = report, .context = bar};
-    enum status st = timing ? STATUS_OK : STATUS_MEMORY;
+    enum status st;
     int timed = 0;
 
-    TRY(st);
     for (int n = 0; n < count; n++)
         if (is_timed(&jobs[n])) {
             jobs[n].timing = &timing[timed];
@@ -240,7 +240,7 @@ out:
         timing_clear(&timing[n]);
     for (int n = 0; n < count; n++)
         jobs[n].timing = NULL;
-    free(timing);
+    arena_clear(&arena);
     return st;
 }
 
@@ -372,12 +372,12 @@ static enum status run_untimed(struct bar *bar, int count, struct case_plan *cas
                                struct job *jobs, struct message *why)
 {
     struct untimed u = {bar, jobs};
-    bool *done = calloc((size_t)count + 1, sizeof *done);
+    struct arena arena = {0};
+    bool *done = arena_take(&arena, (size_t)count, sizeof *done);
     struct pool own = {.slots = timing_processors(), .time_limit = INFINITY},
                 *pool = bar->options->pool ? bar->options->pool : &own;
-    enum status st = done ? STATUS_OK : STATUS_MEMORY;
+    enum status st;
 
-    TRY(st);
     for (int n = 0; n < count; n++)
         done[n] = cases[n].done || cases[n].timed != CASE_UNTIMED;
     pool->count = count, pool->done = done, pool->quiet = true;
@@ -396,19 +396,19 @@ static enum status run_untimed(struct bar *bar, int count, struct case_plan *cas
         cases[n].done = cases[n].done || !done[n];
 out:
     pool->done = NULL;
-    free(done);
+    arena_clear(&arena);
     return st;
 }
 
 enum status measurement_run(const struct measurement_options *options, int count,
                             struct case_plan *cases, struct message *why)
 {
-    struct job *jobs = calloc((size_t)count + 1, sizeof *jobs);
+    struct arena arena = {0};
+    struct job *jobs = arena_take(&arena, (size_t)count, sizeof *jobs);
     struct bar bar = {.options = options};
-    enum status st = jobs ? STATUS_OK : STATUS_MEMORY;
+    enum status st;
     int next = 0, all = 0;
 
-    TRY(st);
     TRY(take(options, count, cases, jobs, why));
     for (int n = 0; n < count; n++)
         all += cases[n].done ? 0 : TIMING_REPEATS + 1;
@@ -419,12 +419,12 @@ enum status measurement_run(const struct measurement_options *options, int count
         TRY(run_group(&bar, count, cases, jobs, &next, why));
 out:
     progress_end(&bar.progress);
-    for (int n = 0; jobs && n < count; n++) {
+    for (int n = 0; n < count; n++) {
         run_file_discard(jobs[n].file);
         motion_clear(&jobs[n].motion);
         run_close(&jobs[n].run);
     }
-    free(jobs);
+    arena_clear(&arena);
     return st;
 }
 

@@ -219,7 +219,7 @@ struct plan_case {
     const struct plan_study *study; /*                                        borrowed */
     const struct plan_level *level; /* NULL: what all levels of the study have          */
     struct case_plan run; /* stand-ins among its settings as what they stand for owned */
-    /* [plan->key_count] as the plan gives them; NULL: not in this case; array   owned */
+    /* [plan->key_count] as the plan gives them; NULL: not in this case; in run's arena  */
     const struct plan_setting **given;
 };
 

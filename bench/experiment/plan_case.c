@@ -152,6 +152,7 @@ static enum status build(const struct plan *plan, struct plan_case *c, struct me
     const struct plan_setting *scene = given(plan, c, "scene"),
                               *model = given(plan, c, "model");
     struct message text;
+    char *path = NULL;
 
     for (int k = 0; k < plan->key_count; k++) {
         const struct plan_setting *s = c->given[k];
@@ -165,10 +166,9 @@ static enum status build(const struct plan *plan, struct plan_case *c, struct me
     TRY(plan_case_pass(plan, model->line,
                        contestant_find(model->value, &c->run.contestant, &text), &text,
                        why));
-    TRY(plan_case_pass(
-        plan, scene->line,
-        plan_case_find_scene(plan, scene->value, (char **)&c->run.path, &text), &text,
-        why));
+    TRY(plan_case_pass(plan, scene->line,
+                       plan_case_find_scene(plan, scene->value, &path, &text), &text, why));
+    c->run.path = arena_keep(&c->run.settings.arena, path);
     for (int k = 0; k < plan->key_count; k++)
         if (c->given[k] && derived_key_is(c->given[k]->key))
             TRY(resolve(plan, c->given[k], c, why));
@@ -193,28 +193,26 @@ long plan_case_count(const struct plan *plan)
 }
 
 /* Starts a case with what the plan gives it. */
-static enum status begin(const struct plan *plan, const struct plan_study *study,
-                         const struct plan_level *level, bool quick, struct plan_case *c)
+static void begin(const struct plan *plan, const struct plan_study *study,
+                  const struct plan_level *level, bool quick, struct plan_case *c)
 {
     *c = (struct plan_case){.study = study, .level = level};
-    c->given = calloc((size_t)plan->key_count + 1, sizeof *c->given);
-    if (!c->given)
-        return STATUS_MEMORY;
+    c->given =
+        arena_take(&c->run.settings.arena, (size_t)plan->key_count, sizeof *c->given);
     give(plan, &plan->settings, c);
     give(plan, &study->settings, c);
     for (int k = 0; level && k < (quick ? 2 : 1); k++)
         for (int n = 0; n < PLAN_STUDY_AXES && level->part[n]; n++)
             give(plan, k ? &level->part[n]->quick : &level->part[n]->settings, c);
-    return STATUS_OK;
 }
 
 const char *plan_case_words(const struct plan *plan, const struct plan_study *study,
                             const struct plan_level *level, const char *key)
 {
     struct plan_case c;
-    const enum status st = begin(plan, study, level, false, &c);
-    const struct plan_setting *s = st ? NULL : given(plan, &c, key);
 
+    begin(plan, study, level, false, &c);
+    const struct plan_setting *s = given(plan, &c, key);
     plan_case_clear(&c);
     return s ? s->value : NULL;
 }
@@ -223,10 +221,8 @@ enum status plan_case_level(const struct plan *plan, const struct plan_study *st
                             const struct plan_level *level, bool quick, struct plan_case *c,
                             struct message *why)
 {
-    enum status st = begin(plan, study, level, quick, c);
-
-    if (st == STATUS_OK)
-        st = plan_case_blame(plan, c, build(plan, c, why), why);
+    begin(plan, study, level, quick, c);
+    const enum status st = plan_case_blame(plan, c, build(plan, c, why), why);
     if (st != STATUS_OK)
         plan_case_clear(c);
     return st;
@@ -235,6 +231,5 @@ enum status plan_case_level(const struct plan *plan, const struct plan_study *st
 void plan_case_clear(struct plan_case *c)
 {
     case_clear(&c->run);
-    free(c->given);
     *c = (struct plan_case){0};
 }

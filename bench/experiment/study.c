@@ -183,7 +183,7 @@ enum status study_measure(const struct plan *plan, const char *folder,
         most += plan->studies[n].level_count;
     how.what = plan->name;
     how.truth = !plan_is_study(plan);
-    TRY(batch_init(&batch, folder, most));
+    batch_init(&batch, folder, most);
     for (int n = 0; n < plan->study_count; n++)
         for (int k = 0; k < plan->studies[n].level_count; k++)
             if (!options->quick || !plan->studies[n].levels[k].slow)
@@ -354,8 +354,7 @@ static enum status read_one(const struct plan *plan, const struct plan_study *st
     enum status st;
 
     s->plan = study;
-    s->row = row = calloc((size_t)study->level_count + 1, sizeof *row);
-    TRY(row ? STATUS_OK : STATUS_MEMORY);
+    s->row = row = arena_take(&d->arena, (size_t)study->level_count + 1, sizeof *row);
     for (int n = 0; n < study->level_count; n++) {
         row[n].level = &study->levels[n];
         row[n].left_out = d->quick && study->levels[n].slow;
@@ -410,8 +409,7 @@ enum status study_read(const struct plan *plan, const char *folder, struct study
 
     *r = (struct study_results){
         .plan = plan, .count = plan->study_count, .quick = is_quick(plan, folder)};
-    r->study = calloc((size_t)r->count + 1, sizeof *r->study);
-    TRY(r->study ? STATUS_OK : STATUS_MEMORY);
+    r->study = arena_take(&r->arena, (size_t)r->count, sizeof *r->study);
     file_of(plan, plan->studies, plan->studies->levels, folder, r->machine);
     for (int n = 0; n < r->count; n++)
         TRY(read_one(plan, &plan->studies[n], folder, r, &r->study[n], why));
@@ -427,10 +425,8 @@ void study_clear(struct study_results *r)
         struct study *s = &r->study[n];
         for (int k = 0; s->row && k <= s->plan->level_count; k++)
             run_result_clear(&s->row[k].result);
-        free(s->row);
         truth_destroy(s->truth);
     }
-    free(r->study);
     arena_clear(&r->arena);
     *r = (struct study_results){0};
 }

@@ -179,9 +179,9 @@ struct study_results {
        borrowed. They say how a statement is read that leaves a choice open. */
     const struct where *reading;
     int count;
-    struct study *study; /* [count]                                              owned  */
+    struct study *study; /* [count]                                                     */
     bool quick;          /* some of it is of less than the plan says                    */
-    struct arena arena;  /* of why cases are lost                                owned  */
+    struct arena arena;  /* of studies, rows and why cases are lost              owned  */
     char machine[4096];  /* a file whose provenance holds for all                       */
 };
 

@@ -1,8 +1,6 @@
-#define _GNU_SOURCE /* asprintf */
 #include "bench/harness/case.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "bench/files/provenance.h"
@@ -11,16 +9,12 @@
 void case_clear(struct case_plan *c)
 {
     settings_clear(&c->settings);
-    free((char *)c->keep.file);
-    free((char *)c->path);
     *c = (struct case_plan){0};
 }
 
-char *case_file(const char *folder, const char *name)
+const char *case_file(struct case_plan *c, const char *folder, const char *name)
 {
-    char *path;
-
-    return asprintf(&path, "%s/%s.h5", folder, name) < 0 ? NULL : path;
+    return c->keep.file = arena_print(&c->settings.arena, "%s/%s.h5", folder, name);
 }
 
 static void add_text(unsigned long *sum, const char *text)

@@ -4,7 +4,7 @@
  *
  *     struct case_plan c = {"edge_drop", contestant, .end = 0.5, .keep = {.every = 10}};
  *     settings_number(&c.settings, "time.step", 0.005);
- *     c.keep.file = case_file(folder, "iga_paper_10");
+ *     case_file(&c, folder, "iga_paper_10");
  *     TRY(run_file_write(&c, &result, why));
  */
 #ifndef CASE_H
@@ -50,8 +50,9 @@ enum case_timed {
 struct case_plan {
     const char *path;                    /* of the scene file, or a scene's name       */
     const struct contestant *contestant; /*                                   borrowed */
-    struct settings settings;            /* on top of the contestant's                 */
-    double end;                          /* instead of the scene's; 0: the scene's [s] */
+    struct settings settings; /* on top of the contestant's; their arena has what else the
+                                 case owns: path and file, where they are not borrowed   */
+    double end;               /* instead of the scene's; 0: the scene's [s] */
     struct run_keep keep;
     bool rest; /* static equilibrium instead of motion                                  */
     enum case_timed timed;
@@ -61,12 +62,11 @@ struct case_plan {
     bool done;    /* out: its file is there (measurement.h)                              */
 };
 
-/* Frees path, settings and the name of the file, of a case that owns these. All-zero is
- * allowed, and left. */
+/* Frees what lies in its arena. All-zero is allowed, and left. */
 void case_clear(struct case_plan *c);
 
-/* Returns "FOLDER/NAME.h5", freed by the receiver; NULL without memory. */
-char *case_file(const char *folder, const char *name);
+/* Names its file "FOLDER/NAME.h5", and returns that. */
+const char *case_file(struct case_plan *c, const char *folder, const char *name);
 
 enum { CASE_KEY = 32 };
 

@@ -262,12 +262,11 @@ static enum status run_part(const struct bench_part *part, struct bench *b, bool
         return part->measure(b, why);
     snprintf(folder, sizeof folder, "%s/%s", all, part->item.name);
     b->folder = folder;
-    TRY(batch_init(&b->batch, folder, BENCH_PART_RUNS));
+    batch_init(&b->batch, folder, BENCH_PART_RUNS);
     TRY(part->plan(b, why));
     if (!read_only)
         TRY(measure(part, b, why));
-    b->result = calloc((size_t)b->batch.count + 1, sizeof *b->result);
-    TRY(b->result ? STATUS_OK : STATUS_MEMORY);
+    b->result = arena_take(&b->batch.arena, (size_t)b->batch.count, sizeof *b->result);
     for (int n = 0; n < b->batch.count; n++)
         TRY(run_result_read(b->batch.cases[n].keep.file, false, &b->result[n], why));
     TRY(part->print(b, why));
@@ -278,7 +277,6 @@ static enum status run_part(const struct bench_part *part, struct bench *b, bool
 out:
     for (int n = 0; b->result && n < b->batch.count; n++)
         run_result_clear(&b->result[n]);
-    free(b->result);
     b->result = NULL;
     batch_clear(&b->batch);
     b->folder = all;

@@ -252,21 +252,20 @@ out:
 static enum status add_plan(const char *path, const struct asked *all, struct statements *s,
                             struct message *why)
 {
-    struct asked *a = calloc(1, sizeof *a);
+    struct asked a;
     struct study_results r = {0};
     struct printer silent = {.format = TABLE_TEXT};
     struct kept *kept = NULL;
-    enum status st = a ? STATUS_OK : STATUS_MEMORY;
+    enum status st;
 
-    TRY(st);
-    TRY(read_one(path, all, a, why));
-    if (!is_of_the_paper(&a->plan) || !plan_is_study(&a->plan))
+    TRY(read_one(path, all, &a, why));
+    if (!is_of_the_paper(&a.plan) || !plan_is_study(&a.plan))
         goto out;
-    if (!a->from)
-        TRY(measure(a, why));
-    TRY(study_read(&a->plan, a->folder, &r, why));
-    kept_open(a->folder, "study", a->plan.name, &silent, &kept);
-    silent.folder = a->folder;
+    if (!a.from)
+        TRY(measure(&a, why));
+    TRY(study_read(&a.plan, a.folder, &r, why));
+    kept_open(a.folder, "study", a.plan.name, &silent, &kept);
+    silent.folder = a.folder;
     if (kept)
         TRY(claim_tell(&r, &silent, kept, why));
     TRY(kept_close(&kept, why));
@@ -274,9 +273,7 @@ static enum status add_plan(const char *path, const struct asked *all, struct st
 out:
     kept_discard(&kept);
     study_clear(&r);
-    if (a)
-        plan_clear(&a->plan);
-    free(a);
+    plan_clear(&a.plan);
     return st;
 }
 
@@ -365,27 +362,24 @@ out:
 
 static enum status run_sweep(struct command_line *line, struct message *why)
 {
-    struct asked *a = calloc(1, sizeof *a);
+    struct asked a = {0};
     const struct ranks *ranks = NULL;
-    enum status st = a ? STATUS_OK : STATUS_MEMORY;
+    enum status st;
 
-    TRY(st);
     omp_set_num_threads(1);
     signal(SIGXFSZ, SIG_IGN); /* a limit on file sizes is a full disk, not a death */
     TRY(ranks_start(&ranks, why));
-    a->pool.ranks = ranks;
+    a.pool.ranks = ranks;
     if (ranks && ranks->rank)
-        serve(line, a);
+        serve(line, &a);
     else
-        st = lead(line, a, why);
+        st = lead(line, &a, why);
     if (ranks && !ranks->rank)
         pool_dismiss(ranks);
     if (ranks)
         ranks->finish();
 out:
-    if (a)
-        plan_clear(&a->plan);
-    free(a);
+    plan_clear(&a.plan);
     return st;
 }
 
@@ -394,23 +388,20 @@ out:
 
 static enum status run(struct command_line *line, struct message *why)
 {
-    struct asked *a = calloc(1, sizeof *a);
-    enum status st = a ? STATUS_OK : STATUS_MEMORY;
+    struct asked a = {0};
+    enum status st;
 
-    TRY(st);
-    TRY(read_line(line, a, why));
-    if (!a->plan.name) {
-        st = run_all(a, why);
+    TRY(read_line(line, &a, why));
+    if (!a.plan.name) {
+        st = run_all(&a, why);
         goto out;
     }
-    if (!a->from)
-        TRY(measure(a, why));
-    TRY(print(line, a, why));
-    show_tell(a->folder);
+    if (!a.from)
+        TRY(measure(&a, why));
+    TRY(print(line, &a, why));
+    show_tell(a.folder);
 out:
-    if (a)
-        plan_clear(&a->plan);
-    free(a);
+    plan_clear(&a.plan);
     return st;
 }
 

@@ -112,11 +112,8 @@ static enum status read_level(const struct truth_runs *runs,
     snprintf(name, sizeof name, "truth_%s_p%d_%d_%ldus%s",
              level->model == TRUTH_SOLID ? "selective" : "cured", level->degree,
              level->side, lround(1e6 * level->step), level->perturbed ? "_perturbed" : "");
-    c->keep = (struct run_keep){.file = case_file(runs->folder, name),
-                                .times = runs->times,
-                                .time = runs->time,
-                                .made_for = key};
-    st = c->keep.file ? STATUS_OK : STATUS_MEMORY;
+    c->keep = (struct run_keep){.times = runs->times, .time = runs->time, .made_for = key};
+    case_file(c, runs->folder, name);
 out:
     return st;
 }
@@ -124,12 +121,11 @@ out:
 enum status truth_level_find(const struct truth_runs *runs, const struct truth_level *level,
                              struct run_result *r, struct message *why)
 {
-    struct case_plan c = {strdup(runs->path), truth_level_contestant(level->model)};
+    struct case_plan c = {runs->path, truth_level_contestant(level->model)};
     struct run run = {0};
     char key[CASE_KEY];
-    enum status st = c.path ? STATUS_OK : STATUS_MEMORY;
+    enum status st;
 
-    TRY(st);
     TRY(read_level(runs, level, &c, &run, key, why));
     if (!is_kept(&c, runs, r)) {
         TRY(run_file_make(&c, &run, NULL, why));

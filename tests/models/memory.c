@@ -146,6 +146,6 @@ int main(int argc, char **argv)
 {
     try_all(&(struct deed){"a scene with bodies", read_bodies, NULL, .every = true});
     for (int n = 1; n < argc || n == 1; n++)
-        try_models(argv[n]); /* NULL behind the last: all */
+        try_models(argv[n]);            /* NULL behind the last: all */
     return asked ? check_result() : 77; /* libraries that cannot be wrapped */
 }

@@ -18,11 +18,10 @@ static struct study_results begin(const char *text, struct plan *plan)
         printf("%s\n", why.text);
         exit(1);
     }
-    d.study = calloc(1, sizeof *d.study);
-    REQUIRE(d.study);
+    d.study = arena_take(&d.arena, 1, sizeof *d.study);
     d.study->plan = plan->studies;
-    d.study->row = calloc((size_t)plan->studies->level_count + 1, sizeof *d.study->row);
-    REQUIRE(d.study->row);
+    d.study->row =
+        arena_take(&d.arena, (size_t)plan->studies->level_count + 1, sizeof *d.study->row);
     for (int n = 0; n < plan->studies->level_count; n++)
         d.study->row[n].level = &plan->studies->levels[n];
     return d;

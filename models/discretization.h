@@ -52,13 +52,22 @@ enum parameters {
     PARAMETERS_PAPER,   /* Ren et al. 2024, Fig. 6                                     */
 };
 
+/* The schemes in time that march.h knows: name, word, models/mechanics/integrator_FILE.c;
+ * `implicit` is Euler's for nets, and of shell and solids what their kinematics has. */
+/* clang-format off */
+#define INTEGRATORS(row)                                                                   \
+    row(IMPLICIT, "implicit", momentum)                                                    \
+    row(EXPLICIT, "explicit", leapfrog) /* of springs in lengths                        */ \
+    row(LEAPFROG, "leapfrog", leapfrog) /* explicit, second order                       */ \
+    row(MOMENTUM, "momentum", momentum) /* implicit, second order, keeps energy, momenta */
+#define INTEGRATOR_NAME(name, word, file) INTEGRATOR_##name,
+#define INTEGRATOR_WORD(name, word, file) [INTEGRATOR_##name] = word,
+
 enum integrator {
-    INTEGRATOR_IMPLICIT, /* Euler; of shell and solids what their kinematics has       */
-    INTEGRATOR_EXPLICIT, /* leapfrog, of springs in lengths                            */
-    INTEGRATOR_LEAPFROG, /* explicit, second order                                     */
-    INTEGRATOR_MOMENTUM, /* implicit, second order, keeps energy and momenta           */
-    INTEGRATOR_BDF2,     /* implicit, second order, backward differences               */
+    INTEGRATORS(INTEGRATOR_NAME)
+    INTEGRATOR_BDF2, /* of projective_dynamics alone: implicit, backward differences     */
 };
+/* clang-format on */
 
 /* The precision of positions in leapfrog steps and in position_based. */
 enum precision { PRECISION_DOUBLE, PRECISION_SINGLE };

@@ -13,16 +13,15 @@ const double march_lag = 1.0 / 16; /* integrator_momentum.c */
 
 /* --- life ----------------------------------------------------------------------------- */
 
+#define NAMED(name, word, file) [INTEGRATOR_##name] = &integrator_##file,
+
 static const struct march_integrator *integrator_of(const struct discretization *d)
 {
-    static const struct march_integrator *const row[] = {
-        [KINEMATICS_LINEAR] = &integrator_newmark,
-        [KINEMATICS_PRINTED] = &integrator_printed,
-        [KINEMATICS_INCREMENTAL] = &integrator_printed,
-        [KINEMATICS_NONLINEAR] = &integrator_momentum,
-    };
+    static const struct march_integrator *const named[] = {INTEGRATORS(NAMED)};
 
-    return d->integrator == INTEGRATOR_LEAPFROG ? &integrator_leapfrog : row[d->kinematics];
+    return d->kinematics == KINEMATICS_NONLINEAR ? named[d->integrator]
+           : d->kinematics == KINEMATICS_LINEAR  ? &integrator_newmark
+                                                 : &integrator_printed;
 }
 
 static size_t count_of(const struct march *m)
@@ -179,7 +178,9 @@ enum status march_init(struct march *m, const struct discretization *d, struct m
 
     m->kinematics = d->kinematics;
     m->integrator = m->integrator ? m->integrator : integrator_of(d);
-    m->asked.solver = d->solver, m->asked.preconditioner = d->preconditioner;
+    m->asked = (struct discretization){.kinematics = d->kinematics,
+                                       .solver = d->solver,
+                                       .preconditioner = d->preconditioner};
     m->full = d->newton == NEWTON_FULL;
     m->substeps = m->substeps ? m->substeps : 1;
     m->dt = m->scene->step / m->substeps;

@@ -74,7 +74,7 @@ struct march {
     int enough; /* iterations after which a step is taken; 0: converged                 */
 
     enum kinematics kinematics;
-    struct discretization asked; /* its solver and preconditioner only                  */
+    struct discretization asked; /* kinematics, solver and preconditioner only          */
     struct system system;
     double dt;          /* length of a step                              [s]     */
     double alpha, beta; /* Rayleigh damping, drag in alpha              [1/s, s] */
@@ -143,8 +143,10 @@ struct march_integrator {
     void (*look)(const struct march *m);
     void (*clear)(struct march *m); /* frees m->own        */
 };
-extern const struct march_integrator integrator_newmark, integrator_printed,
-    integrator_momentum, integrator_leapfrog;
+extern const struct march_integrator integrator_newmark, integrator_printed;
+#define MARCH_DECLARE(name, word, file)                                                    \
+    extern const struct march_integrator integrator_##file;
+INTEGRATORS(MARCH_DECLARE)
 
 /* The viscosity of bodies that need one. */
 extern const double march_lag;

@@ -34,7 +34,8 @@ struct factor_pattern {
 struct factor;
 
 /* Analyses a pattern. SOLVER_AUTO and SOLVER_DIRECT pick the band where it costs less (the
- * rule and its measurement: factor.c). n >= 1. Sets BLAS to one thread for the process.
+ * rule and its measurement: factor.c), SOLVER_CG and SOLVER_GMRES the factor to iterate on.
+ * n >= 1. Sets BLAS to one thread for the process.
  * Owned by the caller, freed with factor_destroy; *f is untouched on failure. */
 enum status factor_create(const struct factor_pattern *pattern, enum solver method,
                           struct factor **f);

@@ -161,7 +161,11 @@ enum status system_init(struct system *s, const struct blocks *graph,
 {
     enum status st = STATUS_MEMORY;
     const bool iterates = d && solver_iterates(d->solver);
-    const enum solver solver = iterates || !d ? SOLVER_AUTO : d->solver;
+    const bool repeats =
+        d && d->solver == SOLVER_AUTO && kinematics_rebuilds(d->kinematics);
+    const enum solver solver = iterates || repeats ? SOLVER_CG
+                               : d                 ? d->solver
+                                                   : SOLVER_AUTO;
     struct system new = {.graph = graph, .held = held, .parity = parity};
     struct pattern pattern = {NULL};
     int *unknowns = NULL;
@@ -218,9 +222,9 @@ struct model_size system_size(const struct system *s, const char *unknown_basis)
 }
 
 /* Sums a block of k K + m M, n of node a's, as the unknowns have it. */
-static void sum_block(const struct supports *held, const struct blocks *g, int a, long n,
-                      double k, const double (*K)[9], double m, const double *M,
-                      double A[9])
+static inline void sum_block(const struct supports *held, const struct blocks *g, int a,
+                             long n, double k, const double (*K)[9], double m,
+                             const double *M, double A[9])
 {
     const double mass = M ? m * M[n] : 0;
 

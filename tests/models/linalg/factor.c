@@ -197,9 +197,10 @@ static void check_band_order(void)
     free(order);
 }
 
-static void check_refusals(enum solver method)
+/* Of a narrow net CHOLMOD has no supernodes. */
+static void check_refusals(enum solver method, bool narrow)
 {
-    const struct net_shape shape = {.points_u = 7, .points_v = 6, .reach = 2};
+    const struct net_shape shape = {narrow ? 30 : 7, narrow ? 2 : 6, narrow ? 1 : 2};
     const double bad[] = {-1e3, 0.0, NAN, INFINITY, -INFINITY};
     struct factored c;
 
@@ -247,7 +248,8 @@ int main(void)
     check_band_order();
     check_choice(&(struct net_shape){.points_u = 32, .points_v = 31, .reach = 1});
     for (enum solver method = SOLVER_BANDED; method <= SOLVER_CHOLMOD; method++) {
-        check_refusals(method);
+        check_refusals(method, false);
+        check_refusals(method, true);
         check_diagonal(method);
     }
     factor_destroy(NULL);

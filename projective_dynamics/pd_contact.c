@@ -92,7 +92,7 @@ enum status pd_contact_end(struct pd_contact *c, double factor, double *x, doubl
     const double areal = c->law.scene->density * c->law.scene->thickness;
 
     interleave(c->system->net, x, c->at);
-    for (int k = 0; k < c->system->net->nodes; k++)
+    for (int k = 0; k < c->law.surface.nodes; k++)
         c->compliance[k] = factor / (areal * c->law.area[k]);
     c->law.thin.count = c->features;
     TRY(contact_project_features(&c->law, c->compliance, c->free_index, c->at));

@@ -6,6 +6,9 @@
 
 #include "models/net/spring_form.h"
 #include "models/net/spring_law.h"
+#include "models/net/spring_net.h"
+#include "models/net/spring_plate.h"
+#include "models/room.h"
 #include "models/vector.h"
 
 const char *const pd_energy_constraints[] = {[CONSTRAINT_AUTO] = "auto",
@@ -199,8 +202,59 @@ static void add_mean_curvature(struct row_list *b, double weight)
     }
 }
 
+/* Adds the forms of a mesh that is no grid. */
+static enum status add_forms(struct pd_energy *e, const struct scene *scene)
+{
+    struct spring_forms forms;
+    enum status st = spring_plate_make(scene, e->mesh, PARAMETERS_MATCHED, &forms);
+
+    for (int n = 0; st == STATUS_OK && n < forms.count; n++) {
+        const struct spring_form *form = spring_form_of(&forms, n);
+        struct pd_row *row = &e->rows[e->row_count++];
+        *row = (struct pd_row){.weight = form->stiffness};
+        for (int k = 0; k < form->count; k++)
+            add_term(row, forms.place[n].at + form->step[k], form->weight[k]);
+    }
+    spring_forms_clear(&forms);
+    return st;
+}
+
 /* --- stretch -------------------------------------------------------------------------
  */
+
+static void add_link(struct pd_energy *e, enum pd_edge kind, int k, double weight)
+{
+    int to[2];
+
+    pd_net_ends(&e->net, kind, to);
+    e->links[e->link_count++] =
+        (struct pd_link){k + to[0], k + to[1], kind * pd_net_stride(&e->net) + k, weight,
+                         pd_net_length(&e->net, kind)};
+}
+
+/* Adds a mesh's triangles; an edge's weight is what both beside it couple its ends by. */
+static void add_triangles(struct pd_energy *e, double larger)
+{
+    const struct mesh *mesh = e->mesh;
+
+    for (; e->link_count < mesh->edges; e->link_count++)
+        e->links[e->link_count] = (struct pd_link){mesh->edge[e->link_count].node[0],
+                                                   mesh->edge[e->link_count].node[1]};
+    for (int n = 0; n < mesh->flat.triangles; n++) {
+        const struct mesh_plane p = mesh_plane_of(mesh, n);
+        struct pd_triangle *t = &e->triangles[e->triangle_count++];
+        memcpy(t->node, mesh->flat.triangle[n], sizeof t->node);
+        t->size = 2 * p.area / (e->net.du * e->net.dv);
+        for (int j = 0; j < 3; j++)
+            for (int d = 0; d < 2; d++)
+                t->rise[j][d] = -p.out[j][d] * p.length[j] / (2 * p.area);
+        for (int j = 0; j < 3; j++) {
+            const double *g = t->rise[(j + 1) % 3], *h = t->rise[(j + 2) % 3];
+            e->links[mesh->side[n][j]].weight -=
+                t->size * larger * (g[0] * h[0] + g[1] * h[1]);
+        }
+    }
+}
 
 /* Sets the energy of plane stress per area, E h / 2(1-nu^2) [(1-nu) |e|^2 + nu tr(e)^2], e
  * the strain. With |e|^2 = (s1-s2)^2/2 + (s1+s2-2)^2/2 for small strains that is
@@ -219,15 +273,33 @@ static void set_triangles(struct pd_energy *e, const struct scene *scene,
     if (parameters == PARAMETERS_PAPER)
         e->deviator = e->trace = area * PAPER_STRETCH * PAPER_STRETCH;
     double larger = fmax(e->deviator, e->trace);
-    for (int k = 0; k < net->nodes; k++) {
-        int i = k / net->m % net->rows, j = k % net->m;
-        int beside_u = (j > 0) + (j < net->m - 1), beside_v = (i > 0) + (i < net->rows - 1);
-        if (i < net->rows - 1)
-            e->edge[PD_EDGE_U][k] = larger * beside_u / (net->du * net->du);
-        if (j < net->m - 1)
-            e->edge[PD_EDGE_V][k] = larger * beside_v / (net->dv * net->dv);
+    if (!net->rows)
+        add_triangles(e, larger);
+    for (int c = PD_EDGE_U; net->rows && c <= PD_EDGE_V; c++)
+        for (int k = 0; k < net->nodes; k++) {
+            const int i = k / net->m % net->rows, j = k % net->m;
+            const int beside =
+                c == PD_EDGE_U ? (j > 0) + (j < net->m - 1) : (i > 0) + (i < net->rows - 1);
+            const double length = c == PD_EDGE_U ? net->du : net->dv;
+            if (pd_net_has(net, (enum pd_edge)c, k))
+                add_link(e, (enum pd_edge)c, k, larger * beside / (length * length));
+        }
+}
+
+/* Adds the springs of a mesh that is no grid. */
+static enum status add_springs(struct pd_energy *e, const struct scene *scene)
+{
+    struct spring_net springs;
+    enum status st;
+
+    TRY(spring_net_init(&springs, scene, e->mesh, PARAMETERS_MATCHED, false));
+    for (; e->link_count < springs.spring_count; e->link_count++) {
+        const struct spring *s = &springs.springs[e->link_count];
+        e->links[e->link_count] = (struct pd_link){s->a, s->b, 0, s->stiffness, s->length};
     }
-    e->constraints += 2 * (net->n - net->n / net->rows) * (net->m - 1);
+    spring_net_clear(&springs);
+out:
+    return st;
 }
 
 static void set_edges(struct pd_energy *e, const struct scene *scene,
@@ -247,23 +319,21 @@ static void set_edges(struct pd_energy *e, const struct scene *scene,
                        (c == PD_EDGE_V && (i == 0 || i == net->rows - 1));
             if (!pd_net_has(net, (enum pd_edge)c, k))
                 continue;
-            e->edge[c][k] =
+            add_link(
+                e, (enum pd_edge)c, k,
                 (paper ? PAPER_STRETCH * PAPER_STRETCH / pd_net_length(net, (enum pd_edge)c)
                        : law.stiffness[direction[c]]) *
-                (rim ? law.rim : 1);
-            e->constraints++;
+                    (rim ? law.rim : 1));
         }
 }
 
 static void set_mass(struct pd_energy *e, const struct scene *scene,
                      enum parameters parameters)
 {
-    double density = parameters == PARAMETERS_PAPER
-                         ? PAPER_MASS / (scene->length * scene->width)
-                         : scene->density * scene->thickness;
-
+    e->areal = parameters == PARAMETERS_PAPER ? PAPER_MASS / (scene->length * scene->width)
+                                              : scene->density * scene->thickness;
     for (int k = 0; k < e->net.nodes; k++)
-        e->mass[k] = density * e->mesh->area[k];
+        e->mass[k] = e->areal * e->mesh->area[k];
 }
 
 static void set_rest(struct pd_energy *e)
@@ -274,22 +344,23 @@ static void set_rest(struct pd_energy *e)
 
 static enum status allocate(struct pd_energy *e)
 {
-    const ptrdiff_t stride = pd_net_stride(&e->net);
-    double *field = e->fields = pd_net_fields(&e->net, PD_EDGES + 4);
+    const bool grid = e->net.rows;
 
+    e->fields = e->mass = pd_net_fields(&e->net, 4);
     e->rows = malloc((size_t)ROWS * (size_t)e->net.nodes * sizeof *e->rows);
-    if (!field || !e->rows)
+    if (!e->fields || !e->rows)
         return STATUS_MEMORY;
-    for (int c = 0; c < PD_EDGES; c++, field += stride)
-        e->edge[c] = field;
-    e->mass = field, e->rest = field + stride;
-    return STATUS_OK;
+    e->rest = e->fields + pd_net_stride(&e->net);
+    return room_cut(&e->room,
+                    ROOM(e->links, grid ? PD_EDGES * e->net.nodes : e->mesh->edges),
+                    ROOM(e->triangles, e->mesh->flat.triangles));
 }
 
 void pd_energy_clear(struct pd_energy *e)
 {
     pd_net_free_fields(&e->net, e->fields);
     free(e->rows);
+    free(e->room);
     memset(e, 0, sizeof *e);
 }
 
@@ -306,15 +377,18 @@ enum status pd_energy_init(struct pd_energy *e, const struct scene *scene,
     set_rest(&new);
     if (constraint == CONSTRAINT_TRIANGLES)
         set_triangles(&new, scene, parameters);
-    else
+    else if (mesh->rows)
         set_edges(&new, scene, parameters);
+    else
+        TRY(add_springs(&new, scene));
     struct row_list bending = {mesh, &new.net, new.rows, 0};
-    if (parameters == PARAMETERS_PAPER)
+    if (!mesh->rows)
+        TRY(add_forms(&new, scene));
+    else if (parameters == PARAMETERS_PAPER)
         add_mean_curvature(&bending, PAPER_BEND);
     else
         add_plate(&bending, scene);
-    new.row_count = bending.count;
-    new.constraints += new.row_count;
+    new.row_count += bending.count;
     new.rest_value = pd_energy_value(&new, new.rest);
     HAND_OVER(e, new);
 out:
@@ -336,18 +410,32 @@ static double edge_energy(const struct pd_energy *e, const double *x)
 {
     double sum = 0;
 
-    for (int c = 0; c < PD_EDGES; c++)
-        for (int k = 0; k < e->net.nodes; k++) {
-            int to[2];
-            double d[3], off;
-            if (!pd_net_has(&e->net, (enum pd_edge)c, k))
-                continue;
-            pd_net_ends(&e->net, (enum pd_edge)c, to);
-            difference(e, x, k + to[0], k + to[1], 1, d);
-            off = sqrt(vector_dot(d, d)) - pd_net_length(&e->net, (enum pd_edge)c);
-            sum += e->edge[c][k] * off * off / 2;
-        }
+    for (const struct pd_link *l = e->links; l < e->links + e->link_count; l++) {
+        double d[3];
+        difference(e, x, l->a, l->b, 1, d);
+        const double off = sqrt(vector_dot(d, d)) - l->length;
+        sum += l->weight * off * off / 2;
+    }
     return sum;
+}
+
+void pd_energy_strain(const struct pd_energy *e, const struct pd_triangle *t,
+                      const double *x, double F[2][3])
+{
+    for (int c = 0; c < 3; c++, x += pd_net_stride(&e->net))
+        for (int d = 0; d < 2; d++)
+            F[d][c] = t->rise[0][d] * x[t->node[0]] + t->rise[1][d] * x[t->node[1]] +
+                      t->rise[2][d] * x[t->node[2]];
+}
+
+/* Returns the energy of a triangle of half a cell with tangents u and v. */
+static double strain_energy(const struct pd_energy *e, const double u[3], const double v[3])
+{
+    const double a = vector_dot(u, u), b = vector_dot(v, v), c = vector_dot(u, v);
+    const double area = sqrt(fmax(a * b - c * c, 0));
+    const double trace = sqrt(a + b + 2 * area) - 2, deviator2 = fmax(a + b - 2 * area, 0);
+
+    return (e->deviator * deviator2 + e->trace * trace * trace) / 4;
 }
 
 static double triangle_energy(const struct pd_energy *e, const double *x)
@@ -355,17 +443,20 @@ static double triangle_energy(const struct pd_energy *e, const double *x)
     const struct pd_net *net = &e->net;
     double sum = 0;
 
-    for (int t = 0; t < 2 * net->nodes; t++) {
+    for (const struct pd_triangle *t = e->triangles; t < e->triangles + e->triangle_count;
+         t++) {
+        double F[2][3];
+        pd_energy_strain(e, t, x, F);
+        sum += t->size * strain_energy(e, F[0], F[1]);
+    }
+    for (int t = 0; net->rows && t < 2 * net->nodes; t++) {
         int k = t / 2, second = t % 2;
         double u[3], v[3];
         if (!pd_net_has(net, PD_EDGE_FALLING, k))
             continue;
         difference(e, x, k + second, k + net->m + second, 1 / net->du, u);
         difference(e, x, k + second * net->m, k + 1 + second * net->m, 1 / net->dv, v);
-        double a = vector_dot(u, u), b = vector_dot(v, v), c = vector_dot(u, v);
-        double area = sqrt(fmax(a * b - c * c, 0));
-        double trace = sqrt(a + b + 2 * area) - 2, deviator2 = fmax(a + b - 2 * area, 0);
-        sum += (e->deviator * deviator2 + e->trace * trace * trace) / 4;
+        sum += strain_energy(e, u, v);
     }
     return sum;
 }

@@ -26,6 +26,10 @@
  * through both, which in an area are two: a mirrored ghost node gives the row 1/2 w |2 (x_1
  * - x_0 - du e_u) / du^2|^2. A point support, and one on part of the thickness (a hinge),
  * keep positions only; so do all supports of the paper's set.
+ *
+ * On a mesh that is no grid F = sum of x_j times the gradient of j's hat function, edges
+ * are spring_net.h's, and bending is spring_plate.h's, with slopes that are nodes without
+ * mass.
  */
 #ifndef PD_ENERGY_H
 #define PD_ENERGY_H
@@ -39,34 +43,57 @@
 enum constraint { CONSTRAINT_AUTO, CONSTRAINT_TRIANGLES, CONSTRAINT_EDGES };
 extern const char *const pd_energy_constraints[]; /* NULL ends */
 
+enum { PD_ROW = 6 };
+
 struct pd_row {
-    int count, node[5];
-    double coefficient[5]; /* [1/m^2]                                                  */
-    double weight;         /* [N m^3]                                                  */
-    double target[3];      /* [1/m] zero, but for clamps                               */
+    int count, node[PD_ROW];
+    double coefficient[PD_ROW]; /* [1/m^2]                                             */
+    double weight;              /* [N m^3]                                             */
+    double target[3];           /* [1/m] zero, but for clamps                          */
+};
+
+/* A part of the constant matrix, k g g^T, g = x_b - x_a. */
+struct pd_link {
+    int a, b;
+    ptrdiff_t at;  /* of a grid: pd_local.h's weight, kind pd_net_stride + k           */
+    double weight; /* k                                                        [N/m]   */
+    double length; /*                                                          [m]     */
+};
+
+struct pd_triangle {
+    int node[3];
+    double size;       /* its area over that of those below                            */
+    double rise[3][2]; /* gradients of the hat functions                       [1/m]   */
 };
 
 struct pd_energy {
     const struct mesh *mesh; /*                                              borrowed  */
     struct pd_net net;
     enum constraint constraint;
-    double *fields; /* memory of the next three                             owned     */
-    double *edge[PD_EDGES]; /* weight of each edge in the constant matrix, by k [N/m];
-                               triangles write theirs here too                        */
-    double deviator, trace; /* weights of one triangle, its area included [N m]        */
-    double *mass;           /* lumped, per node [kg]                                   */
-    double *rest;           /* [3] fields                                              */
+    double *fields; /* memory of the next two                               owned     */
+    double *mass;   /* lumped, per node [kg]                                          */
+    double *rest;   /* [3] fields                                                     */
+    void *room;     /* memory of the next two                               owned     */
+    struct pd_link *links;         /* edges that resist, those of triangles, too       */
+    struct pd_triangle *triangles; /* those of a mesh that is no grid                  */
+    int link_count, triangle_count;
+    double deviator, trace; /* weights of a triangle of half a cell, its area included
+                               [N m]                                                   */
+    double areal;           /* mass of an area                               [kg/m^2]  */
     int row_count;
-    struct pd_row *rows; /* bending and clamps                            owned     */
-    int constraints;     /* edges or triangles, and rows                            */
-    double rest_value;   /* energy at rest, from rounding alone [J]                 */
+    struct pd_row *rows; /* bending and clamps                               owned     */
+    double rest_value;   /* energy at rest, from rounding alone [J]                    */
 };
 
-/* Makes the energy of a grid, which must stay where it is. */
+/* Makes the energy of a mesh, which must stay where it is. */
 enum status pd_energy_init(struct pd_energy *e, const struct scene *scene,
                            const struct mesh *mesh, enum constraint constraint,
                            enum parameters parameters);
 void pd_energy_clear(struct pd_energy *e);
+
+/* Computes a triangle's tangents along u and v at x, three fields. */
+void pd_energy_strain(const struct pd_energy *e, const struct pd_triangle *t,
+                      const double *x, double F[2][3]);
 
 /* Returns elastic energy [J] of positions x, three fields; 0 for the rest shape. */
 double pd_energy_value(const struct pd_energy *e, const double *x);

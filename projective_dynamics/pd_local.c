@@ -123,6 +123,28 @@ static void split_triangles(const struct triangle_law *law, double weight,
     }
 }
 
+/* Projects the tangents F + u of one triangle for its share of b, towards u and v; with a
+ * split as split_triangles does, also for u, unless it is NULL. */
+static void project_one(const struct triangle_law *l, double weight, const double *F,
+                        double *u, double *out)
+{
+    double f[6], a = 0, b = 0, c = 0;
+
+    for (int i = 0; i < 6; i++)
+        f[i] = F[i] + (u ? u[i] : 0);
+    for (int i = 0; i < 3; i++)
+        a += f[i] * f[i], b += f[3 + i] * f[3 + i], c += f[i] * f[3 + i];
+    const double area = sqrt(fmax(a * b - c * c, FLAT * a * b + TINY));
+    const double share = l->rotation / sqrt(a + b + 2 * area) + l->mean;
+    for (int i = 0; i < 6; i++) {
+        const double p = (l->keep + share + (i < 3 ? b : a) * share / area) * f[i] -
+                         c * share / area * f[(i + 3) % 6];
+        out[i] = u ? 2 * p - weight * f[i] : p;
+        if (u)
+            u[i] = f[i] - p / weight;
+    }
+}
+
 /* --- gathering ---------------------------------------------------------------------------
  */
 
@@ -179,20 +201,41 @@ static void chunk_edges(const struct pd_local *local, int from, int count, const
     }
 }
 
-static void chunk_triangles(const struct pd_local *local, int from, int count,
-                            const double *x, double *buffer)
+static struct triangle_law whole_law(const struct pd_local *local)
 {
     const struct pd_energy *e = local->energy;
-    const struct pd_net *net = &e->net;
-    ptrdiff_t length = buffer_length(local), stride = pd_net_stride(net);
     double larger = (local->share > 0 ? local->share : 1) * fmax(e->deviator, e->trace);
-    const struct triangle_law law = {
-        .over_u = 1 / net->du,
-        .over_v = 1 / net->dv,
+
+    return (struct triangle_law){
+        .over_u = 1 / e->net.du,
+        .over_v = 1 / e->net.dv,
         .keep = local->factor * (larger - e->deviator),
         .rotation = local->factor * e->trace,
         .mean = local->factor * (e->deviator - e->trace) / 2,
     };
+}
+
+/* Makes the law of the split, and its weight W. */
+static struct triangle_law split_law(const struct pd_local *local, double *weight)
+{
+    const struct pd_energy *e = local->energy;
+    const double dev = local->factor * e->deviator, trace = local->factor * e->trace,
+                 W = local->share * fmax(dev, trace), keep = W / (dev + W);
+
+    *weight = W;
+    return (struct triangle_law){.over_u = 1 / e->net.du,
+                                 .over_v = 1 / e->net.dv,
+                                 .keep = W * keep,
+                                 .rotation = W * trace / (trace + W),
+                                 .mean = W / 2 * (W / (trace + W) - keep)};
+}
+
+static void chunk_triangles(const struct pd_local *local, int from, int count,
+                            const double *x, double *buffer)
+{
+    const struct pd_net *net = &local->energy->net;
+    ptrdiff_t length = buffer_length(local), stride = pd_net_stride(net);
+    const struct triangle_law law = whole_law(local);
 
     for (int second = 0; second < 2; second++) {
         const int to_u[2] = {second, net->m + second};
@@ -206,16 +249,10 @@ static void chunk_triangles(const struct pd_local *local, int from, int count,
 static void chunk_split(const struct pd_local *local, int first, int before, int nodes,
                         const double *x, double *buffer)
 {
-    const struct pd_energy *e = local->energy;
-    const struct pd_net *net = &e->net;
+    const struct pd_net *net = &local->energy->net;
     ptrdiff_t length = buffer_length(local), stride = pd_net_stride(net);
-    const double dev = local->factor * e->deviator, trace = local->factor * e->trace,
-                 W = local->share * fmax(dev, trace), keep = W / (dev + W);
-    const struct triangle_law law = {.over_u = 1 / net->du,
-                                     .over_v = 1 / net->dv,
-                                     .keep = W * keep,
-                                     .rotation = W * trace / (trace + W),
-                                     .mean = W / 2 * (W / (trace + W) - keep)};
+    double W;
+    const struct triangle_law law = split_law(local, &W);
 
     for (int part = 0; part < 4; part++) {
         const int second = part / 2, own = part % 2, from = own ? first : first - before;
@@ -251,6 +288,40 @@ static void do_chunk(const struct pd_local *local, bool split, int first, const 
     }
 }
 
+/* Does a mesh that is no grid, one link or triangle after the other. */
+static void do_mesh(const struct pd_local *local, bool split, const double *x,
+                    const double *base, double *b)
+{
+    const struct pd_energy *e = local->energy;
+    const ptrdiff_t stride = pd_net_stride(&e->net);
+    const bool edges = e->constraint == CONSTRAINT_EDGES;
+    double W = 0, F[2][3], out[6];
+    const struct triangle_law law = split ? split_law(local, &W) : whole_law(local);
+
+    memcpy(b, base, (size_t)(COMPONENTS * stride - e->net.pad) * sizeof *b);
+    for (int n = 0; edges && n < e->link_count; n++) {
+        const struct pd_link *l = &e->links[n];
+        double d[3], square = TINY;
+        for (int c = 0; c < COMPONENTS; c++) {
+            d[c] = x[c * stride + l->b] - x[c * stride + l->a];
+            square += d[c] * d[c];
+        }
+        for (int c = 0; c < COMPONENTS; c++) {
+            const double pull = local->factor * l->weight * l->length * d[c] / sqrt(square);
+            b[c * stride + l->a] -= pull, b[c * stride + l->b] += pull;
+        }
+    }
+    for (int n = 0; !edges && n < e->triangle_count; n++) {
+        const struct pd_triangle *t = &e->triangles[n];
+        pd_energy_strain(e, t, x, F);
+        project_one(&law, W, F[0], split ? local->dual + 6 * n : NULL, out);
+        for (int k = 0; k < 3 * COMPONENTS; k++)
+            b[k % 3 * stride + t->node[k / 3]] +=
+                t->size *
+                (t->rise[k / 3][0] * out[k % 3] + t->rise[k / 3][1] * out[3 + k % 3]);
+    }
+}
+
 static void do_chunks(const struct pd_local *local, bool split, const double *x,
                       const double *base, double *b)
 {
@@ -258,6 +329,10 @@ static void do_chunks(const struct pd_local *local, bool split, const double *x,
     int chunks = (net->nodes + local->chunk - 1) / local->chunk;
     ptrdiff_t size = (ptrdiff_t)KINDS * COMPONENTS * buffer_length(local);
 
+    if (!net->rows) {
+        do_mesh(local, split, x, base, b);
+        return;
+    }
     if (chunks == 1 || local->threads == 1 || omp_get_max_threads() == 1) {
         for (int n = 0; n < chunks; n++)
             do_chunk(local, split, n * local->chunk, x, base, b, local->buffer);
@@ -274,6 +349,8 @@ void pd_local_step(struct pd_local *local, const double *x, const double *base, 
     double *keep = local->dual;
 
     do_chunks(local, local->share > 0, x, base, b);
+    if (!local->energy->net.rows)
+        return;
     local->dual = local->dual_next;
     local->dual_next = keep;
 }
@@ -289,17 +366,15 @@ void pd_local_forces(struct pd_local *local, const double *x, const double *base
 static void fill_weights(struct pd_local *local)
 {
     const struct pd_energy *e = local->energy;
-    const struct pd_net *net = &e->net;
-    ptrdiff_t stride = pd_net_stride(net);
+    const struct pd_link *end = e->links + e->link_count;
 
-    for (int k = 0; k < net->nodes; k++) {
-        if (e->constraint == CONSTRAINT_TRIANGLES)
-            local->weight[k] = pd_net_has(net, PD_EDGE_FALLING, k);
-        else
-            for (int kind = 0; kind < PD_EDGES; kind++)
-                local->weight[kind * stride + k] = local->factor * e->edge[kind][k] *
-                                                   pd_net_length(net, (enum pd_edge)kind);
-    }
+    if (!e->net.rows)
+        return;
+    for (int k = 0; e->constraint == CONSTRAINT_TRIANGLES && k < e->net.nodes; k++)
+        local->weight[k] = pd_net_has(&e->net, PD_EDGE_FALLING, k);
+    for (const struct pd_link *l = e->links; e->constraint == CONSTRAINT_EDGES && l < end;
+         l++)
+        local->weight[l->at] = local->factor * l->weight * l->length;
 }
 
 void pd_local_clear(struct pd_local *local)

@@ -2,7 +2,8 @@
  *
  * Chunks of nodes are fixed by the net and handed out to threads; a chunk computes all the
  * projections that its nodes need, a few of them its neighbour's too, and sums them per
- * node in fixed order. The result does not depend on the number of threads.
+ * node in fixed order. The result does not depend on the number of threads. A mesh that is
+ * no grid is done by one.
  */
 #ifndef PD_LOCAL_H
 #define PD_LOCAL_H
@@ -18,7 +19,8 @@ struct pd_local {
     double *buffer; /* [threads][fields of a chunk]                          owned     */
     /* Split triangles: weight of the split over the larger one of the two that resist, and
      * [12] fields, six of each triangle at k: what stretch its elastic force lets them lack
-     * at that weight, now and next; share 0 and NULL without                     owned  */
+     * at that weight, now and next (of a mesh that is no grid: [triangles][6], in place);
+     * share 0 and NULL without                                                   owned  */
     double share;
     double *dual, *dual_next;
 };

@@ -45,15 +45,11 @@ static enum status find_radius(struct pd_motion *m)
     for (int turn = 0; turn < TURNS; turn++) {
         double size = 0;
         memset(y, 0, (size_t)(3 * stride - net->pad) * sizeof *y);
-        for (int kind = 0; kind < PD_EDGES; kind++) {
-            int to[2];
-            pd_net_ends(net, (enum pd_edge)kind, to);
-            for (int k = 0; k < net->nodes; k++) {
-                double pull = m->local.factor * m->energy.edge[kind][k] *
-                              (z[k + to[1]] - z[k + to[0]]);
-                y[k + to[1]] += pull;
-                y[k + to[0]] -= pull;
-            }
+        for (int n = 0; n < m->energy.link_count; n++) {
+            const struct pd_link *l = &m->energy.links[n];
+            const double pull = m->local.factor * l->weight * (z[l->b] - z[l->a]);
+            y[l->b] += pull;
+            y[l->a] -= pull;
         }
         for (int k = 0; k < net->nodes; k++)
             y[k] = m->system.held[k] ? 0 : y[k];
@@ -219,7 +215,8 @@ static enum status add_loads(struct pd_motion *m)
         return st;
     m->dead = pd_net_fields(net, 3);
     for (int n = 0; m->dead && n < 3 * net->nodes; n++)
-        m->dead[n % 3 * pd_net_stride(net) + n / 3] = force[n] / m->energy.mass[n / 3];
+        if (m->energy.mass[n / 3] > 0) /* a slope has none */
+            m->dead[n % 3 * pd_net_stride(net) + n / 3] = force[n] / m->energy.mass[n / 3];
     free(force);
     return m->dead ? STATUS_OK : STATUS_MEMORY;
 }
@@ -247,7 +244,7 @@ static void start(struct pd_motion *m)
 static double find_share(const struct pd_motion *m)
 {
     const struct pd_energy *e = &m->energy;
-    const double du = e->net.du, dv = e->net.dv, mass = 4 * e->mass[0], s = m->span,
+    const double du = e->net.du, dv = e->net.dv, mass = e->areal * (du * dv), s = m->span,
                  stretch =
                      8 * fmax(e->deviator, e->trace) * (1 / (du * du) + 1 / (dv * dv));
 
@@ -295,12 +292,17 @@ enum status pd_motion_init(struct pd_motion *m, const struct scene *scene,
 {
     enum status st;
     const struct mesh *mesh = &m->mesh;
+    const struct discretization d = {.points = {options->points[0], options->points[1], 1},
+                                     .mesh = options->mesh,
+                                     .seed = options->seed,
+                                     .refine = options->refine};
     double share = 0;
 
     *m = (struct pd_motion){.scene = scene, .options = *options};
     m->dt = scene->step / options->substeps;
     m->span = options->second ? 2 * m->dt / 3 : m->dt;
-    TRY(mesh_init(&m->mesh, scene, options->points));
+    TRY(mesh_make(&m->mesh, scene, &d, mesh_is_grid(&d) ? MESH_NO_NODES : MESH_SLOPES,
+                  why));
     TRY(supports_init(&m->supports, scene, mesh->nodes, mesh->uvw, mesh->rest, why));
     TRY(pd_energy_init(&m->energy, scene, mesh, options->constraint, options->parameters));
     m->alpha = mass_damping(scene, &m->energy, options->parameters);

@@ -22,6 +22,8 @@
  * 1e-10). */
 struct pd_options {
     int points[2];
+    char *mesh; /* discretization.h, with the next two; NULL: a grid         borrowed  */
+    int seed, refine;
     enum constraint constraint;
     enum parameters parameters;
     int substeps;     /* steps a frame, >= 1                                           */

@@ -8,7 +8,7 @@ enum { LINE = 8 }; /* numbers of a cache line */
 
 void pd_net_init(struct pd_net *net, const struct mesh *mesh)
 {
-    const int m = mesh->points[1];
+    const int m = mesh->rows ? mesh->points[1] : 0;
 
     *net = (struct pd_net){.n = mesh->points[0],
                            .m = m,

@@ -1,7 +1,7 @@
 /* pd_net.h - the layout of a grid's nodes (mesh.h) in memory, and its edges. A field of
  * numbers per node has zeros before node 0 and behind the last, so that k + m + 1 and
  * k - m - 1 may always be read: loops run over k without looking at the rims of the net;
- * what would cross them has weight zero.
+ * what would cross them has weight zero. Of a mesh that is no grid it is the fields alone.
  */
 #ifndef PD_NET_H
 #define PD_NET_H
@@ -13,7 +13,7 @@
 
 struct pd_net {
     int n, m, nodes;
-    int rows;      /* of a sheet; n: there is one                                      */
+    int rows;      /* of a sheet; n: there is one; 0, as m: no grid                    */
     double du, dv; /* rest lengths of edges along u, v [m]                            */
     ptrdiff_t pad; /* zeros before and behind, m + 1 or more                          */
 };

@@ -1,50 +1,61 @@
 #include "projective_dynamics/pd_system.h"
 
-#include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "models/room.h"
 
-/* The lower part of a 5 x 5 stencil: node (i,j) with (i+di, j+dj) behind it. */
-enum { REACH = 2, COUPLINGS = 13 };
-
-static const int offset[COUPLINGS][2] = {{0, 0}, {0, 1}, {0, 2}, {1, -2}, {1, -1},
-                                         {1, 0}, {1, 1}, {1, 2}, {2, -2}, {2, -1},
-                                         {2, 0}, {2, 1}, {2, 2}};
-
 /* --- the matrix --------------------------------------------------------------------------
  */
 
-/* Returns the coupling of the nodes a <= b. */
-static int coupling_of(const struct pd_net *net, int a, int b)
+static int ascending(const void *a, const void *b)
 {
-    int di = b / net->m - a / net->m, dj = b % net->m - a % net->m;
+    const int p = *(const int *)a, q = *(const int *)b;
 
-    assert(di >= 0 && di <= REACH && dj >= -REACH && dj <= REACH);
-    return di == 0 ? dj : 5 * di + dj; /* see offset */
+    return (p > q) - (p < q);
+}
+
+/* Makes the graph of links and rows. */
+static enum status make_graph(struct pd_system *s, const struct pd_energy *e)
+{
+    const int elements = e->link_count + e->row_count;
+    long *start;
+    int *ien;
+    void *room;
+    enum status st;
+
+    TRY(room_cut(&room, ROOM(start, elements + 1),
+                 ROOM(ien, 2 * e->link_count + PD_ROW * e->row_count)));
+    for (int n = 0; n < elements; n++) {
+        const struct pd_link *l = &e->links[n];
+        const struct pd_row *row = &e->rows[n - e->link_count];
+        int *node = ien + start[n];
+        if (n < e->link_count)
+            memcpy(node, (const int[]){l->a, l->b}, 2 * sizeof *node);
+        else
+            memcpy(node, row->node, (size_t)row->count * sizeof *node);
+        const int count = n < e->link_count ? 2 : row->count;
+        qsort(node, (size_t)count, sizeof *node, ascending);
+        start[n + 1] = start[n] + count;
+    }
+    st = blocks_init_uneven(&s->graph, s->net->nodes, elements, start, ien);
+    free(room);
+out:
+    return st;
 }
 
 static void add(struct pd_system *s, int a, int b, double value)
 {
-    int low = a < b ? a : b, high = a < b ? b : a;
-
-    s->stencil[(size_t)low * COUPLINGS + coupling_of(s->net, low, high)] += value;
+    s->entry[blocks_find(&s->graph, a < b ? a : b, a < b ? b : a)] += value;
 }
 
-static void add_edges(struct pd_system *s, const struct pd_energy *e, double factor)
+static void add_links(struct pd_system *s, const struct pd_energy *e, double factor)
 {
-    for (int kind = 0; kind < PD_EDGES; kind++) {
-        int to[2];
-        pd_net_ends(s->net, (enum pd_edge)kind, to);
-        for (int k = 0; k < s->net->nodes; k++) {
-            double weight = factor * e->edge[kind][k];
-            if (weight == 0)
-                continue;
-            add(s, k + to[0], k + to[0], weight);
-            add(s, k + to[1], k + to[1], weight);
-            add(s, k + to[0], k + to[1], -weight);
-        }
+    for (const struct pd_link *l = e->links; l < e->links + e->link_count; l++) {
+        const double weight = factor * l->weight;
+        add(s, l->a, l->a, weight);
+        add(s, l->b, l->b, weight);
+        add(s, l->a, l->b, -weight);
     }
 }
 
@@ -63,14 +74,6 @@ static void add_rows(struct pd_system *s, const struct pd_energy *e, double fact
     }
 }
 
-/* Returns the partner of k in a coupling, -1 outside the net. */
-static int partner(const struct pd_net *net, int k, int coupling)
-{
-    int i = k / net->m + offset[coupling][0], j = k % net->m + offset[coupling][1];
-
-    return i < net->n && j >= 0 && j < net->m ? i * net->m + j : -1;
-}
-
 /* --- factors -----------------------------------------------------------------------------
  */
 
@@ -78,22 +81,20 @@ static int partner(const struct pd_net *net, int k, int coupling)
  * owned by the caller. */
 static enum status make_pattern(const struct pd_system *s, long **start, int **row)
 {
-    int nodes = s->net->nodes;
+    const struct blocks *g = &s->graph;
     long end = 0;
 
-    *start = malloc(((size_t)nodes + 1) * sizeof **start);
-    *row = malloc((size_t)nodes * COUPLINGS * sizeof **row);
+    *start = malloc(((size_t)g->nodes + 1) * sizeof **start);
+    *row = malloc((size_t)g->start[g->nodes] * sizeof **row);
     if (!*start || !*row)
         return STATUS_MEMORY;
-    for (int k = 0; k < nodes; k++) {
+    for (int k = 0; k < g->nodes; k++) {
         (*start)[k] = end;
-        for (int t = 0; t < COUPLINGS; t++) {
-            int other = partner(s->net, k, t);
-            if (other >= 0 && (t == 0 || s->stencil[(size_t)k * COUPLINGS + t] != 0))
-                (*row)[end++] = other;
-        }
+        for (long n = g->start[k]; n < g->start[k + 1]; n++)
+            if (n == g->start[k] || s->entry[n] != 0)
+                (*row)[end++] = g->node[n];
     }
-    (*start)[nodes] = end;
+    (*start)[g->nodes] = end;
     return STATUS_OK;
 }
 
@@ -110,14 +111,14 @@ static void fill(const struct pd_system *s, struct pd_group *g, const bool *held
 
     factor_clear_values(g->factor);
     for (int k = 0; k < s->net->nodes; k++)
-        for (int t = 0; t < COUPLINGS; t++) {
-            int other = partner(s->net, k, t);
-            double a = s->stencil[(size_t)k * COUPLINGS + t];
-            if (other < 0 || a == 0)
+        for (long n = s->graph.start[k]; n < s->graph.start[k + 1]; n++) {
+            const int other = s->graph.node[n];
+            const double a = s->entry[n];
+            if (a == 0)
                 continue;
             if (!held[k] && !held[other])
                 value[factor_slot(g->factor, other, k)] += a;
-            else if (t == 0)
+            else if (other == k)
                 value[factor_slot(g->factor, k, k)] = 1;
             else if (held[k] != held[other])
                 couple(g, held[k] ? other : k, held[k] ? k : other, a);
@@ -132,11 +133,16 @@ static enum status make_group(struct pd_system *s, const struct factor_pattern *
     size_t most = 0;
 
     for (int k = 0; k < s->net->nodes; k++)
-        most += held[k] ? 24 : 0; /* 5 x 5 less itself */
+        for (long n = s->graph.start[k]; n < s->graph.start[k + 1]; n++)
+            most += held[k] != held[s->graph.node[n]];
     TRY(room_cut(&g->room, ROOM(g->coupling_free, most), ROOM(g->coupling_held, most),
                  ROOM(g->coupling, most)));
-    /* A band solves three sides together: up to 80 x 80 points that is the faster. */
-    TRY(factor_create(pattern, solver == SOLVER_AUTO ? SOLVER_BANDED : solver, &g->factor));
+    /* A band solves three sides together: up to 80 x 80 points that is the faster on a
+     * grid.
+     */
+    if (solver == SOLVER_AUTO && s->net->rows)
+        solver = SOLVER_BANDED;
+    TRY(factor_create(pattern, solver, &g->factor));
     fill(s, g, held);
     TRY(factor_refactor(g->factor));
 out:
@@ -187,6 +193,7 @@ void pd_system_clear(struct pd_system *s)
     }
     if (s->net)
         pd_net_free_fields(s->net, s->constant);
+    blocks_clear(&s->graph);
     free(s->room);
     memset(s, 0, sizeof *s);
 }
@@ -199,13 +206,14 @@ enum status pd_system_init(struct pd_system *s, const struct pd_energy *energy,
     size_t nodes = (size_t)energy->net.nodes;
     struct pd_system new = {.net = &energy->net};
 
-    TRY(room_cut(&new.room, ROOM(new.stencil, nodes * COUPLINGS),
+    TRY(make_graph(&new, energy));
+    TRY(room_cut(&new.room, ROOM(new.entry, new.graph.start[nodes]),
                  ROOM(new.held, 3 * nodes)));
     if (!(new.constant = pd_net_fields(new.net, 3)))
         TRY(STATUS_MEMORY);
     for (int k = 0; k < new.net->nodes; k++)
         add(&new, k, k, mass_factor * energy->mass[k]);
-    add_edges(&new, energy, factor * stretch);
+    add_links(&new, energy, factor * stretch);
     add_rows(&new, energy, factor);
     for (int h = 0; h < supports->held_count; h++)
         new.held[supports->held[h] % 3 * nodes + (size_t)supports->held[h] / 3] = true;
@@ -252,13 +260,11 @@ void pd_system_subtract(const struct pd_system *s, const double *x, double *b)
     for (int c = 0; c < 3; c++, x += pd_net_stride(s->net), b += pd_net_stride(s->net)) {
         const bool *held = s->held + (size_t)c * nodes;
         for (int k = 0; k < nodes; k++)
-            for (int t = 0; t < COUPLINGS; t++) {
-                const int other = partner(s->net, k, t);
-                const double a = s->stencil[(size_t)k * COUPLINGS + t];
-                if (other < 0 || a == 0)
-                    continue;
+            for (long n = s->graph.start[k]; n < s->graph.start[k + 1]; n++) {
+                const int other = s->graph.node[n];
+                const double a = s->entry[n];
                 b[k] -= held[other] && !held[k] ? 0 : a * x[other];
-                if (t)
+                if (other != k)
                     b[other] -= held[k] && !held[other] ? 0 : a * x[k];
             }
     }
@@ -266,5 +272,5 @@ void pd_system_subtract(const struct pd_system *s, const double *x, double *b)
 
 double pd_system_diagonal(const struct pd_system *s, int node)
 {
-    return s->stencil[(size_t)node * COUPLINGS];
+    return s->entry[s->graph.start[node]];
 }

@@ -8,6 +8,7 @@
 #define PD_SYSTEM_H
 
 #include "models/discretization.h"
+#include "models/linalg/blocks.h"
 #include "models/linalg/factor.h"
 #include "models/mechanics/supports.h"
 #include "projective_dynamics/pd_energy.h"
@@ -24,10 +25,9 @@ struct pd_group {
 
 struct pd_system {
     const struct pd_net *net; /*                                             borrowed  */
-    void *room;               /* memory of stencil and held                  owned     */
-    double *stencil;          /* [nodes][13] lower part of A: of node (i, j) with
-                                 (i + di, j + dj), di = 0, dj = 0 .. 2; then di = 1,
-                                 2, dj = -2 .. 2 each                                   */
+    struct blocks graph;      /*                                             owned     */
+    void *room;               /* memory of entry and held                    owned     */
+    double *entry;            /* [pairs of the graph] A                                */
     int group_count;
     struct pd_group group[3];
     double *constant; /* [3] fields: factor sum w c target                  owned     */

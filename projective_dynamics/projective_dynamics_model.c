@@ -2,7 +2,7 @@
 
 #include "models/damping.h"
 #include "models/net/net.h"
-#include "models/net/spring_law.h"
+#include "models/net/spring_net.h"
 #include "projective_dynamics/pd_motion.h"
 
 enum { TOLERANCE_ITERATIONS = 1000000 }; /* at most, where a tolerance ends them */
@@ -10,6 +10,7 @@ enum { TOLERANCE_ITERATIONS = 1000000 }; /* at most, where a tolerance ends them
 /* clang-format off */
 static const struct schema_key options[] = {
     OPTIONS_NET, {"iterations"}, {"parameters"}, {"tolerance"},
+    {"mesh"}, {"seed"}, {"refine"},
     {"solver", .only = OPTION(SOLVER_AUTO) | OPTION(SOLVER_BANDED) | OPTION(SOLVER_CHOLMOD)},
     {"integrator", .only = OPTION(INTEGRATOR_IMPLICIT) | OPTION(INTEGRATOR_BDF2)},
     {"constraint", "constraints that resist stretching", SCHEMA_WORD,
@@ -59,6 +60,9 @@ static struct pd_options options_of(const struct scene *scene,
     const enum acceleration acceleration = acceleration_of(scene, d);
     const struct pd_options o = {
         .points = {d->points[0], d->points[1]},
+        .mesh = d->mesh,
+        .seed = d->seed,
+        .refine = d->refine,
         .constraint = constraint_of(scene, d),
         .parameters = d->parameters,
         .substeps = d->substeps > 0 ? d->substeps : 1,
@@ -81,7 +85,9 @@ static enum status init(void *state, const struct scene *scene,
     const struct pd_options chosen = options_of(scene, d);
     const bool matched = d->parameters == PARAMETERS_MATCHED,
                triangles = chosen.constraint == CONSTRAINT_TRIANGLES;
+    const char *lacks = net_mesh_lacks(scene, d, !triangles);
     const struct net_refusal rows[] = {
+        {*lacks, lacks},
         {matched && damping_stiffness(scene) != 0,
          "unsupported: no damping by stiffness (rayleigh beta); the constant matrix has no "
          "stiffness that turns with the sheet"},
@@ -112,7 +118,7 @@ static void doubt(const void *state, struct message *line)
     arrival_doubt(&m->arrival, line);
 }
 
-/* Describes the iterations, and the membrane of a fabric's edges. */
+/* Describes the iterations, and the membrane of edges of a fabric or a mesh. */
 static void describe(const void *state, struct message *line)
 {
     const struct pd_motion *m = state;
@@ -126,6 +132,8 @@ static void describe(const void *state, struct message *line)
         message_add(line, "; ");
     }
     arrival_describe(&m->arrival, "iterations", line);
+    if (!m->mesh.rows && m->options.constraint == CONSTRAINT_EDGES)
+        spring_net_tell_mesh(&m->mesh, m->scene, line);
 }
 
 const struct model projective_dynamics_model = {

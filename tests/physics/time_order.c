@@ -68,6 +68,8 @@ static const struct row {
     {"vbd", NET, 40, 1, false, {ONCE, "discretization.iterations=300"}},
     {"mass_spring_momentum", NET, 40, 2, false, {MESH}},
     {"mass_spring", NET, 40, 1, true, {MESH, "discretization.tolerance=1e-9"}},
+    {"projective_dynamics", NET, 40, 1, true,
+     {MESH, TO_THE_END, "discretization.constraint=edges"}},
     {"mass_spring_leapfrog", NET, 40, 2, false, {MESH}}, /* slopes have a mass */
     {"mass_spring_explicit", NET, 40, 2, true, {MESH}},
     {"position_based", NET, 40, 1, true, {MESH, ONCE}},
@@ -75,6 +77,9 @@ static const struct row {
     {"vbd", NET, 40, 1, false, {MESH, ONCE, "discretization.iterations=300"}},
     {"projective_dynamics", NET, 40, 1, false, {TO_THE_END}},
     {"projective_dynamics", NET, 40, 2, false, {TO_THE_END, "discretization.integrator=bdf2"}},
+    {"projective_dynamics", NET, 40, 1, false, {MESH, TO_THE_END}},
+    {"projective_dynamics", NET, 40, 2, false,
+     {MESH, TO_THE_END, "discretization.integrator=bdf2"}},
 };
 /* clang-format on */
 /* Explicit steps know the same forces as implicit ones, each law: of 0.5 m, 0.1 mm is what

@@ -50,6 +50,7 @@ static const struct row {
     {"wipe", "mass_spring", SMALL, false},
     {"wipe", "position_based", SMALL, false},
     {"wipe", "projective_dynamics", SMALL ";contact={self: false}", false},
+    {"fold", "projective_dynamics", SMALL ";discretization.mesh=irregular", false},
 };
 
 /* Checks the fold at its end: the crest, and that its held edge lies on the other layer. */

@@ -101,7 +101,7 @@ static int iterations_to(struct pd_motion *m, const double *end, const double *x
 }
 
 /* Accelerated or split iterations end where the plain ones do, and sooner. */
-static void check_sooner(enum constraint constraint, double nu, bool split)
+static void check_sooner(char *mesh, enum constraint constraint, double nu, bool split)
 {
     const double tol_end = 1e-9; /* of iterations that shrink by 0.999 until 1e-14 */
     struct scene scene;
@@ -109,6 +109,7 @@ static void check_sooner(enum constraint constraint, double nu, bool split)
     struct pd_options o = pd_fixture_options(15, 15, constraint);
     double moved = 1;
 
+    o.mesh = mesh;
     pd_fixture_scene(&scene, nu);
     scene.gravity[2] = -9.81;
     pd_fixture_hold(&scene, 0, 0, 0, 0, FIX_XYZ);
@@ -181,14 +182,16 @@ int main(void)
         check_descent(c, 0.3, FIX_XYZ);
         check_descent(c, 0.45, FIX_Z);
         check_descent(c, -0.4, FIX_X | FIX_Z);
-        check_sooner(c, 0.3, false);
+        check_sooner(NULL, c, 0.3, false);
     }
     for (int n = 10; n <= 50; n += 5) {
         check_acceleration_holds(n, 1e5);
         check_acceleration_holds(n, 1e6);
     }
-    check_sooner(CONSTRAINT_TRIANGLES, 0.3, true);
-    check_sooner(CONSTRAINT_TRIANGLES, -0.3, true);
+    check_sooner(NULL, CONSTRAINT_TRIANGLES, 0.3, true);
+    check_sooner(NULL, CONSTRAINT_TRIANGLES, -0.3, true);
+    check_sooner("irregular", CONSTRAINT_TRIANGLES, 0.3, true);
+    check_sooner("irregular", CONSTRAINT_EDGES, 0.3, false);
     check_supports();
     return check_result();
 }

@@ -409,11 +409,11 @@ def iterations_split():
                 f"**{part_of(e)}**" if number(e) == least else part_of(e) for e in errors])
     return markdown(["", ""] + [f"{net}, {s} x {n}" for net, s, n in splits], lines)
 
-def by_scene(heads, scenes, rows, bar):
-    """A column for each of scenes {name: rows}; the first row has their truths' bars, from a column."""
+def by_scene(heads, scenes, rows, bar, *more):
+    """A column for each of scenes {name: rows}, and more; the first row has their truths' bars, from a column."""
     bars = [part_of(max((r[bar] for r in of if r[bar]), key=number, default="")) for of in scenes.values()]
-    return markdown(heads + [f"`{name}`" for name in scenes],
-                    [["the truth's bar"] + [""] * (len(heads) - 1) + bars] + rows)
+    return markdown(heads + [f"`{name}`" for name in scenes] + list(more),
+                    [["the truth's bar"] + [""] * (len(heads) - 1) + bars + ["-"] * len(more)] + rows)
 
 def errors_by_net(name, cures, bound, joined=" ".join):
     """A row a model and cure, a column a scene: errors in per cent from coarse to fine; in bold those
@@ -456,19 +456,23 @@ def remedies():
 
 def meshes():
     """A row a rule and mesh: errors at the end in per cent, and how far a cantilever's tip is off the
-    elastica's, each on the coarsest and the finest net."""
+    elastica's, each on the coarsest and the finest net, and the seconds of 21x21 points."""
     rows = part("study_meshes", "irregular", "tip")
-    nets = list(grouped(rows, "points"))
 
     def cell(scene, rule, mesh):
-        ends = [where(scene, rule=rule, mesh=mesh, points=net)[-1] for net in (nets[0], nets[-1])]
+        nets = list(grouped(where(scene, rule=rule, mesh=mesh), "points").values())
         return " to ".join(part_of(r["error"]) if r["error"] else
-                           f"{100 * (number(r['tip']) - 1):+.1f}" if r["tip"] else "-" for r in ends)
+                           f"{100 * (number(r['tip']) - 1):+.1f}" if r["tip"] else "-"
+                           for r in (nets[0][-1], nets[-1][-1])) if nets else "-"
+
+    def seconds(rule, mesh):
+        of = where(rows, study="edge_drop", rule=rule, mesh=mesh, points="21x21")
+        return digits(number(of[0]["stepping_s"]), 2)
 
     scenes = grouped(rows, "study")
     return by_scene(["rule", "mesh"], scenes, [
-        [rule, mesh] + [cell(scene, rule, mesh) for scene in scenes.values()]
-        for rule, mesh in grouped(rows, "rule", "mesh")], "error_bar")
+        [rule, mesh] + [cell(scene, rule, mesh) for scene in scenes.values()] + [seconds(rule, mesh)]
+        for rule, mesh in grouped(rows, "rule", "mesh")], "error_bar", "seconds")
 
 def touching():
     """Of each scene the errors where its truth ends, the distances to the shell at its end, and depths

@@ -186,8 +186,8 @@ enum status command_number(const struct command_line *line, const char *option,
     *number = strtod(word, &end);
     const bool is_percent = percent && !strcmp(end, "%");
     if (end == word || (*end && !is_percent) || !(*number > 0) || isinf(*number))
-        return status_fail(why, STATUS_INPUT, "%s %s: a number above 0 would be right%s%s", option,
-                           word, percent ? ", as 2% or 0.02" : "",
+        return status_fail(why, STATUS_INPUT, "%s %s: a number above 0 would be right%s%s",
+                           option, word, percent ? ", as 2% or 0.02" : "",
                            strchr(word, ',') ? "; decimals stand after a point" : "");
     *number /= is_percent ? 100 : 1;
     return STATUS_OK;

@@ -93,30 +93,26 @@ out:
 
 /* --- A truth as it was made or read --- */
 
-enum status truth_init(struct truth *t, int times, int claimed, const double *time)
+void truth_init(struct truth *t, int times, int claimed, const double *time)
 {
     const size_t count = (size_t)times, field = 3 * GRID_POINTS;
-    const size_t numbers = count * (2 + TRUTH_COLUMNS) + (size_t)claimed * field;
 
     *t = (struct truth){.times = times, .claimed = claimed};
-    t->xyz = calloc(1, count * sizeof *t->xyz + (numbers + 1) * sizeof(double));
-    if (!t->xyz)
-        return STATUS_MEMORY;
-    t->time = (double *)(t->xyz + count);
-    t->error = t->time + count;
-    t->value = (double(*)[TRUTH_COLUMNS])(t->error + count);
+    t->xyz = arena_take(&t->arena, count, sizeof *t->xyz);
+    t->time = arena_take(&t->arena, count, sizeof *t->time);
+    t->error = arena_take(&t->arena, count, sizeof *t->error);
+    t->value = arena_take(&t->arena, count, sizeof *t->value);
     for (int n = 0; n < claimed; n++)
-        t->xyz[n] = (double *)(t->value + count) + (size_t)n * field;
+        t->xyz[n] = arena_take(&t->arena, field, sizeof **t->xyz);
     memcpy(t->time, time, count * sizeof *time);
     for (int n = 0; n < times; n++)
         for (int c = TRUTH_PACKING; c < TRUTH_COLUMNS; c++)
             t->value[n][c] = NAN;
-    return STATUS_OK;
 }
 
 void truth_clear(struct truth *t)
 {
-    free(t->xyz);
+    arena_clear(&t->arena);
     *t = (struct truth){0};
 }
 
@@ -389,7 +385,9 @@ static enum status find(struct truth_runs *runs, const struct truth_wish *wish, 
     struct truth *t = calloc(1, sizeof *t);
     enum status st;
 
-    TRY(t ? truth_init(t, runs->times, runs->times, runs->time) : STATUS_MEMORY);
+    if (!t)
+        arena_end();
+    truth_init(t, runs->times, runs->times, runs->time);
     TRY(contestant_read_scene(runs->settings, runs->path, &scene, why));
     TRY(plate ? from_kirchhoff(&scene, true, t, why) : fill(runs, wish, &scene, t, why));
     *truth = t, t = NULL;

@@ -139,10 +139,10 @@ enum truth_column {
 
 enum { TRUTH_WATCH_TEXT = 256 };
 
-struct truth { /* with its arrays, in one block                                        */
+struct truth {
     int times;
     double *time;     /* [times] [s]                                                     */
-    double **xyz;     /* [times] fields (grid.h) [m]; owns the other arrays, too         */
+    double **xyz;     /* [times] fields (grid.h) [m]                                     */
     double *error;    /* [times] rms error bar [m]                                       */
     char source[640]; /* a sentence, with how the error bar was had                      */
 
@@ -159,11 +159,13 @@ struct truth { /* with its arrays, in one block                                 
     char commit[64], changed[16];   /* the program that made a stored one, and how many
                                        files differed from it; "unknown"                 */
     char third[640]; /* on the third mechanics, a sentence; "": none is stored           */
+    char *physics;   /* of a stored one: truth_physics of what it holds for              */
+    struct arena arena; /* of its arrays and of physics                          owned */
 };
 
 /* Makes arrays of zeros for these times, fields for the first `claimed` of them, else NULL.
- * STATUS_MEMORY. */
-enum status truth_init(struct truth *t, int times, int claimed, const double *time);
+ */
+void truth_init(struct truth *t, int times, int claimed, const double *time);
 void truth_clear(struct truth *t); /* all-zero is allowed, and left */
 
 /* Returns the index of a time among the first `count`, to 1e-9 s; -1: it is none of them.
@@ -298,11 +300,10 @@ enum status truth_file_write(const char *path, const struct truth_runs *runs,
                              const struct truth *made, struct message *why);
 
 /* Reads one, as the third mechanics beside it and its crossings leave it; the fields past
- * the horizon are NULL, `level` is left zero. *physics is freed by the receiver.
+ * the horizon are NULL, `level` is left zero.
  * STATUS_INPUT with a sentence: no truth, or damaged, or the third is. Free with
  * truth_clear. */
-enum status truth_file_read(const char *path, struct truth *made, char **physics,
-                            struct message *why);
+enum status truth_file_read(const char *path, struct truth *made, struct message *why);
 
 /* The folder in which the command `truth` leaves what it made, seen from where it runs. */
 #define TRUTH_FILE_LEFT "results/truths"

@@ -261,19 +261,19 @@ enum status truth_closed_fields(const struct scene *scene, struct truth *t)
 
 enum status truth_closed_make(const struct scene *s, struct truth *t)
 {
-    double *time = calloc((size_t)s->snapshot_count + 1, sizeof *time);
+    struct arena own = {0};
+    double *time = arena_take(&own, (size_t)s->snapshot_count + 1, sizeof *time);
     enum status st;
     int count = 0;
 
     *t = (struct truth){0};
-    TRY(time ? STATUS_OK : STATUS_MEMORY);
     TRY(falls(s) || rests(s) ? STATUS_OK : STATUS_UNSUPPORTED);
     for (int n = 0; n < s->snapshot_count && falls(s); n++)
         if (s->snapshots[n] > 0)
             time[count++] = s->snapshots[n];
     if (!count || time[count - 1] < s->end)
         time[count++] = s->end;
-    TRY(truth_init(t, count, count, time));
+    truth_init(t, count, count, time);
     TRY(truth_closed_fields(s, t));
     t->closed = true;
     for (int n = 0; n < count; n++)
@@ -285,7 +285,7 @@ enum status truth_closed_make(const struct scene *s, struct truth *t)
 out:
     if (st != STATUS_OK)
         truth_clear(t);
-    free(time);
+    arena_clear(&own);
     return st;
 }
 

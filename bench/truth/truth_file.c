@@ -275,8 +275,9 @@ static bool is_single(const struct truth *t)
 static enum status put_columns(struct store *store, const struct truth *made,
                                struct message *why)
 {
-    double *column = malloc((size_t)made->times * sizeof *column);
-    enum status st = column ? STATUS_OK : STATUS_MEMORY;
+    struct arena own = {0};
+    double *column = arena_take(&own, (size_t)made->times, sizeof *column);
+    enum status st = STATUS_OK;
 
     for (int c = 0; c < COLUMNS && st == STATUS_OK; c++) {
         for (int n = 0; n < made->times; n++)
@@ -285,7 +286,7 @@ static enum status put_columns(struct store *store, const struct truth *made,
             st = store_metric(store, columns[c].name, columns[c].unit, column, made->times,
                               why);
     }
-    free(column);
+    arena_clear(&own);
     return st;
 }
 
@@ -390,7 +391,7 @@ static enum status read_text(struct store_read *file, const char *group, const c
     return else_say ? STATUS_OK : st;
 }
 
-static enum status read_made(struct store_read *file, struct truth *made, char **physics)
+static enum status read_made(struct store_read *file, struct truth *made)
 {
     enum status st;
     double *time;
@@ -398,9 +399,10 @@ static enum status read_made(struct store_read *file, struct truth *made, char *
     int times, width, claimed = store_read_frames(file);
 
     TRY(store_read_text(file, "/", "physics", &text, NULL));
-    TRY((*physics = strdup(text)) ? STATUS_OK : STATUS_MEMORY);
     TRY(store_read_array(file, "time", &time, &times, &width, NULL));
-    TRY(claimed > times ? STATUS_INPUT : truth_init(made, times, claimed, time));
+    TRY(claimed > times ? STATUS_INPUT : STATUS_OK);
+    truth_init(made, times, claimed, time);
+    made->physics = arena_print(&made->arena, "%s", text);
     TRY(read_columns(file, made));
     for (int n = 0; n < claimed; n++)
         TRY(store_read_frame(file, n, made->xyz[n], NULL));
@@ -415,24 +417,20 @@ out:
 }
 
 /* Reads a file without the third beside it. */
-static enum status read_alone(const char *path, struct truth *made, char **physics,
-                              struct message *why)
+static enum status read_alone(const char *path, struct truth *made, struct message *why)
 {
     struct store_read *file = NULL;
-    char *text = NULL;
     enum status st;
 
     memset(made, 0, sizeof *made);
     TRY(store_read_open(path, &file, why));
-    st = read_made(file, made, &text);
+    st = read_made(file, made);
     TRY(st == STATUS_OK || st == STATUS_MEMORY
             ? st
             : status_fail(why, STATUS_INPUT, "%s: is not a stored truth", path));
-    *physics = text, text = NULL;
 out:
     if (st != STATUS_OK)
         truth_clear(made);
-    free(text);
     store_read_close(file);
     return st;
 }
@@ -449,61 +447,54 @@ enum status truth_file_third(const char *path, char *third, size_t size,
 }
 
 /* Judges a truth by the third beside it, if it is of the same physics. */
-static enum status judge_by_third(const char *path, const char *physics, struct truth *made,
-                                  struct message *why)
+static enum status judge_by_third(const char *path, struct truth *made, struct message *why)
 {
     struct truth third = {0};
-    char *text = NULL, file[4096];
+    char file[4096];
     struct stat there;
     enum status st;
 
     TRY(truth_file_third(path, file, sizeof file, why));
     if (stat(file, &there) != 0)
         goto out;
-    TRY(read_alone(file, &third, &text, why));
-    if (strcmp(text, physics) == 0)
+    TRY(read_alone(file, &third, why));
+    if (strcmp(third.physics, made->physics) == 0)
         truth_third_judge(&third, made);
     else
         snprintf(made->third, sizeof made->third,
                  "not compared, as it is of other physics");
 out:
     truth_clear(&third);
-    free(text);
     return st;
 }
 
 /* Reads a file; `search`: for crossings, too. */
 static enum status read_judged(const char *path, bool search, struct truth *made,
-                               char **physics, struct message *why)
+                               struct message *why)
 {
-    char *text = NULL;
     enum status st;
 
-    TRY(read_alone(path, made, &text, why));
-    TRY(judge_by_third(path, text, made, why));
-    st = search ? truth_crossing_judge(made, count_sheets(text)) : STATUS_OK;
+    TRY(read_alone(path, made, why));
+    TRY(judge_by_third(path, made, why));
+    st = search ? truth_crossing_judge(made, count_sheets(made->physics)) : STATUS_OK;
     if (st == STATUS_INPUT)
         status_fail(why, st, "%s: has positions that are no finite numbers", path);
-    TRY(st);
-    *physics = text, text = NULL;
 out:
     if (st != STATUS_OK)
         truth_clear(made);
-    free(text);
     return st;
 }
 
-enum status truth_file_read(const char *path, struct truth *made, char **physics,
-                            struct message *why)
+enum status truth_file_read(const char *path, struct truth *made, struct message *why)
 {
-    return read_judged(path, true, made, physics, why);
+    return read_judged(path, true, made, why);
 }
 
 /* Finds the truth of a name or a path; `search`: for crossings, too. */
 static enum status find(const char *name, bool search, const struct scene *scene,
                         struct truth *made, struct message *why)
 {
-    char *path = NULL, *physics = NULL;
+    char *path = NULL;
     struct message other = {""};
     enum status st;
 
@@ -511,14 +502,13 @@ static enum status find(const char *name, bool search, const struct scene *scene
     st = named_file_find(&truth_file_kind, name, &path, why);
     if (st != STATUS_OK)
         return st == STATUS_INPUT ? STATUS_FILE : st;
-    TRY(read_judged(path, search, made, &physics, why));
-    st = truth_physics_check(physics, scene, &other);
+    TRY(read_judged(path, search, made, why));
+    st = truth_physics_check(made->physics, scene, &other);
     if (st == STATUS_UNSUPPORTED)
         status_fail(why, st, "the stored truth of %s is %s", name, other.text);
 out:
     if (st != STATUS_OK)
         truth_clear(made);
-    free(physics);
     free(path);
     return st;
 }
@@ -547,14 +537,13 @@ static char *describe(const char *path)
 {
     struct truth made;
     struct message why;
-    char text[sizeof made.source + 64], *physics;
+    char text[sizeof made.source + 64];
 
-    if (truth_file_read(path, &made, &physics, &why) != STATUS_OK)
+    if (truth_file_read(path, &made, &why) != STATUS_OK)
         return strdup(why.text);
     snprintf(text, sizeof text, "to %.3g s; %s",
              made.claimed ? made.time[made.claimed - 1] : 0, made.source);
     truth_clear(&made);
-    free(physics);
     return strdup(text);
 }
 

@@ -528,8 +528,8 @@ enum status truth_make(const struct truth_runs *runs, const struct scene *scene,
     struct truth_outlook o;
     enum status st;
 
-    TRY(truth_init(made, runs->times, runs->times, runs->time));
-    TRY(truth_init(&k.before, runs->times, runs->times, runs->time));
+    truth_init(made, runs->times, runs->times, runs->time);
+    truth_init(&k.before, runs->times, runs->times, runs->time);
     /* Nodes of a coarse net touch an obstacle one by one, in jumps that are the net's. */
     TRY(begin(&k, scene->obstacle_count ? LEAST_RUNS + 1 : LEAST_RUNS, why));
     const struct truth_family *f = pushed_family(&k);

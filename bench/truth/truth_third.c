@@ -133,7 +133,7 @@ enum status truth_third_make(const char *folder, double length, struct truth *th
     const int times = common_times(f);
     if (!times)
         TRY(status_fail(why, STATUS_INPUT, "%s: its nets have no time in common", folder));
-    TRY(truth_init(third, times, times, f->run[0].time));
+    truth_init(third, times, times, f->run[0].time);
     third->foreign = true;
     /* Nobody pushed it: nothing is known of the growth. */
     truth_bar_judge(family, &(struct truth_push){.plain = f->run, .pushed = f->run}, length,

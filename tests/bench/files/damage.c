@@ -94,12 +94,10 @@ static void try_all(const char *good, const char *bad,
 static enum status read_truth(const char *path, struct message *why)
 {
     struct truth made;
-    char *physics = NULL;
-    const enum status st = truth_file_read(path, &made, &physics, why);
+    const enum status st = truth_file_read(path, &made, why);
 
     if (st == STATUS_OK)
         truth_clear(&made);
-    free(physics);
     return st;
 }
 

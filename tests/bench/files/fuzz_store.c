@@ -203,13 +203,11 @@ static void check_truth(void)
 {
     struct truth made;
     struct message why = {""};
-    char *physics = NULL;
 
-    if (truth_file_read("fuzz", &made, &physics, &why) != STATUS_OK)
+    if (truth_file_read("fuzz", &made, &why) != STATUS_OK)
         fuzz_check_sentence(&why, "fuzz: ");
     else
         truth_clear(&made);
-    free(physics);
 }
 
 /* Frames are as many as the input says, and all the same: a few are read. */

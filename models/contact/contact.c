@@ -462,9 +462,9 @@ void contact_begin(struct contact *c, double t, double dt, const double *x_old)
 
     count_crossing(c, t, x_old);
     c->dt = dt, c->rests = c->held = c->released = c->middle = false;
-    c->bounds = 0, c->measured = false;
+    c->bounds = 0, c->measured = c->fresh = c->cycles = false;
     memset(c->before, 0, 2 * (size_t)c->surface.count * sizeof *c->before);
-    c->least_change = INFINITY, c->waited = 0;
+    c->least_change = c->anew = INFINITY, c->waited = 0;
     c->count = c->weights = 0;
     memset(c->foretold, 0, 2 * (size_t)c->surface.count * sizeof *c->foretold);
     memcpy(c->x_old, x_old, 3 * (size_t)c->surface.nodes * sizeof *c->x_old);

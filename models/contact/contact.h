@@ -58,6 +58,10 @@ struct contact {
     double dt;           /* of the step; INFINITY: no rates                     [s]    */
     bool held;           /* by contact_hold                                              */
     bool released;       /* held touches were found anew in this step                   */
+    bool fresh;          /* no change has followed a release yet                        */
+    bool cycles;         /* a release did not lead nearer                               */
+    double anew;         /* the change that the last one made                       [m] */
+    double share;        /* of their pushes less their bounds, which a release adds     */
     int bounds;          /* how often held touches took their push for its bound        */
     double least_change; /* of contact_hold's in this step, by halves                [m] */
     int waited;          /* changes since                                               */

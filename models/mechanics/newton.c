@@ -81,18 +81,33 @@ out:
     return st;
 }
 
-/* Takes d, and learns from it if r is that of the same equation before and after it. */
-static enum status take(struct newton *n, bool same)
+/* Moves x by d. */
+static void add(struct newton *n)
+{
+    for (size_t t = 0; t < n->count; t++)
+        n->x[t] += n->d[t];
+}
+
+/* Takes d, and learns from it. */
+static enum status take(struct newton *n)
 {
     enum status st;
 
     memcpy(n->next, n->r, n->count * sizeof *n->next);
     TRY(n->owner->take(n));
-    if (n->balanced && same && n->owner->learns(n) && n->size > n->least)
+    if (n->balanced && n->owner->learns(n) && n->size > n->least)
         newton_memory_learn(&n->memory, n->d, n->next, n->r);
     n->balanced |= n->whole;
 out:
     return st;
+}
+
+/* Takes d whole, to another equation than it was made for. */
+static enum status take_anew(struct newton *n)
+{
+    add(n);
+    n->balanced |= n->whole;
+    return n->owner->residual(n);
 }
 
 /* Tells whether changes creep: they have not halved for too long. */
@@ -135,11 +150,10 @@ enum status newton_solve(struct newton *n, struct counters *counters)
             break;
         const enum newton_verdict verdict = n->owner->judge(n);
         if (verdict == NEWTON_DONE) {
-            for (size_t t = 0; t < n->count; t++)
-                n->x[t] += n->d[t];
+            add(n);
             return STATUS_OK;
         }
-        TRY(take(n, verdict == NEWTON_ON));
+        TRY(verdict == NEWTON_ON ? take(n) : take_anew(n));
         TRY(next_change(n, chord, counters));
         chord = n->chord;
         n->whole = n->owner->limit(n);

@@ -150,6 +150,9 @@ static const double square_cos = 0.5, whole_square_cos = 0.75, whole_apart = 1.5
 static const double surely_apart = 1.5 + 1e-9;
 /* The least cosine of the angle between the normals at the border and of its triangle. */
 static const double SLANT = 0.5;
+/* The curvature of half the squared distance about a smooth surface's foot, over that about
+ * one on a plane, from which it counts, and from which wholly. */
+static const double LEAST_ALONE = 0.05, ALONE = 0.3;
 /* The most that a smooth surface's foot is from the triangles' in u and v, in samples. */
 static const double astray = 2;
 
@@ -623,9 +626,11 @@ struct bend {
 };
 
 /* The most times that the surface is taken to second order, two being enough but in bends
- * as tight as its spans; and the change in u and v at which it is not taken again. */
-enum { MOST_BENDS = 8 };
-static const double settled = 1e-7;
+ * as tight as its spans; the change in u and v at which it is not taken again; and the most
+ * that a foot moves on what was taken once, in samples: farther off lies another valley, or
+ * the sample itself. */
+enum { MOST_BENDS = 12 };
+static const double settled = 1e-7, REACH = 0.5;
 
 static void bend_at(const struct contact_surface *s, const double *x, double u, double v,
                     int *node, double *weight, struct bend *b)
@@ -649,12 +654,12 @@ static void bend_at(const struct contact_surface *s, const double *x, double u, 
     }
 }
 
-/* Moves (u,v) to the closest point of the bend by one step of Newton's method, as far as
- * the sheet goes on; returns the larger change. */
-static double bend_step(const struct bend *b, const double at[3], double *u, double *v)
+/* Moves (u,v) to the closest point of the bend by one step of Newton's method, from `least`
+ * to `most`; returns the larger change. */
+static double bend_step(const struct bend *b, const double at[3], const double least[2],
+                        const double most[2], double *u, double *v)
 {
     const double du = *u - b->u, dv = *v - b->v;
-    const double *least = b->ends.least, *most = b->ends.most;
     double rest[3], su[3], sv[3];
 
     for (int i = 0; i < 3; i++) {
@@ -682,6 +687,21 @@ static double bend_step(const struct bend *b, const double at[3], double *u, dou
     return change;
 }
 
+/* Returns the share of a foot at a bend, from which `way` leads to the sample: whole where
+ * it is closer than all around it, none where a place beside it is as close, as on the
+ * inside of a bend about the sample, where the foot would jump. */
+static double alone(const struct bend *b, const double way[3])
+{
+    double G[3], A[3];
+
+    for (int k = 0; k < 3; k++) {
+        G[k] = vector_dot(b->d[k / 2], b->d[(k + 1) / 2]);
+        A[k] = G[k] - vector_dot(way, b->dd[k]);
+    }
+    const double flat = G[0] * G[2] - G[1] * G[1], det = A[0] * A[2] - A[1] * A[1];
+    return A[0] > 0 && flat > 0 ? rise(det / flat, LEAST_ALONE, ALONE) : 0;
+}
+
 static void refine_smooth(const struct contact_sheet *sheet,
                           const struct contact_place *place, struct contact_foot *foot,
                           int *node, double *weight)
@@ -693,10 +713,17 @@ static void refine_smooth(const struct contact_sheet *sheet,
     contact_foot_place(s, place->triangle, place->share, &u, &v);
     struct bend b = {.ends = contact_surface_ends(s, u)};
     const double start_u = u, start_v = v;
+    const double far_u = REACH * (b.ends.high[0] - b.ends.low[0]) / (s->rows - 1);
+    const double far_v = REACH / (s->points[1] - 1);
     for (int turn = 0; turn < MOST_BENDS; turn++) {
         const double u_old = u, v_old = v;
+        const double least[2] = {fmax(b.ends.least[0], u - far_u),
+                                 fmax(b.ends.least[1], v - far_v)};
+        const double most[2] = {fmin(b.ends.most[0], u + far_u),
+                                fmin(b.ends.most[1], v + far_v)};
         bend_at(s, x, u, v, node, weight, &b);
-        for (int step = 0; step < 16 && bend_step(&b, at, &u, &v) > 1e-14; step++)
+        for (int step = 0; step < 16 && bend_step(&b, at, least, most, &u, &v) > 1e-14;
+             step++)
             ;
         if (fabs(u - u_old) + fabs(v - v_old) < settled)
             break;
@@ -710,7 +737,7 @@ static void refine_smooth(const struct contact_sheet *sheet,
     foot->distance = vector_length(way);
     vector_cross(b.d[0], b.d[1], normal);
     point_along(foot->distance > 0 ? way : normal, foot);
-    foot->strength = strength(sheet, place, foot, true);
+    foot->strength = strength(sheet, place, foot, true) * alone(&b, way);
 }
 
 void contact_foot_refine(const struct contact_sheet *sheet, int count,

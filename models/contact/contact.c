@@ -84,25 +84,31 @@ static enum status add_body(struct contact *c, int sample, int obstacle, double 
     return add(c, touch, 0, NULL, NULL);
 }
 
-/* Appends a touch of a rim's point with another rim. */
-static enum status add_rim(void *context, const struct contact_rim_foot *foot)
+/* Appends a touch of no sample, that is filled but for its nodes and their weights. */
+static enum status add_loose(struct contact *c, struct contact_touch touch, int count,
+                             const int *node, const double *weight)
 {
-    struct contact *c = context;
-    const double *n = foot->normal;
-    const int count = foot->of_point + foot->of_foot;
     const enum status st = make_room(c, count);
 
     if (st != STATUS_OK)
         return st;
-    c->touch[c->count++] = (struct contact_touch){.sample = -1,
-                                                  .obstacle = -1,
-                                                  .first = c->weights,
-                                                  .count = count,
-                                                  .D = foot->distance,
-                                                  .normal = {n[0], n[1], n[2]},
-                                                  .area = foot->area / 2};
-    append(c, count, foot->node, foot->weight, 1);
+    touch.sample = -1, touch.first = c->weights, touch.count = count;
+    append(c, count, node, weight, 1);
+    c->touch[c->count++] = touch;
     return STATUS_OK;
+}
+
+/* Appends a touch of a rim's point with another rim. */
+static enum status add_rim(void *context, const struct contact_rim_foot *foot)
+{
+    const double *n = foot->normal;
+    const struct contact_touch touch = {.obstacle = -1,
+                                        .D = foot->distance,
+                                        .normal = {n[0], n[1], n[2]},
+                                        .area = foot->area / 2};
+
+    return add_loose(context, touch, foot->of_point + foot->of_foot, foot->node,
+                     foot->weight);
 }
 
 /* Tells whether a sample presses between places of the sheet that are D apart about as much
@@ -169,17 +175,13 @@ static enum status add_features(struct contact *c, const double *x, int *passed)
     for (int n = 0; n < c->thin.pairs; n++) {
         if (!contact_thin_foot(&c->thin, n, &step, &f))
             continue;
-        TRY(make_room(c, f.count));
-        c->touch[c->count++] =
-            (struct contact_touch){.sample = -1,
-                                   .obstacle = f.obstacle,
-                                   .first = c->weights,
-                                   .count = f.count,
-                                   .D = f.distance,
-                                   .D_old = f.before,
-                                   .normal = {f.normal[0], f.normal[1], f.normal[2]},
-                                   .area = f.area};
-        append(c, f.count, f.node, f.weight, 1);
+        const struct contact_touch touch = {
+            .obstacle = f.obstacle,
+            .D = f.distance,
+            .D_old = f.before,
+            .normal = {f.normal[0], f.normal[1], f.normal[2]},
+            .area = f.area};
+        TRY(add_loose(c, touch, f.count, f.node, f.weight));
         c->least = fmin(c->least, f.distance - c->body.start);
     }
 out:
@@ -732,6 +734,19 @@ static double limit_sample(const struct contact *c, int sample, int obstacle,
     return contact_limit_share(&a, distance_over, c->body.range, share);
 }
 
+/* Returns the share of a change d of x that leaves enough to a sample before all bodies. */
+static double limit_bodies(const struct contact *c, int sample, const double *x,
+                           const double *d, double share)
+{
+    double y[3], way[3];
+
+    contact_surface_at(&c->surface, sample, x, y);
+    contact_surface_at(&c->surface, sample, d, way);
+    for (int o = 0; o < c->scene->obstacle_count; o++)
+        share = limit_sample(c, sample, o, y, way, share);
+    return share;
+}
+
 /* Notes the friction that the tangent foretells a change d for (contact_grip). */
 static void foretell(struct contact *c, struct contact_touch *t, const double *d)
 {
@@ -806,13 +821,8 @@ double contact_limit(struct contact *c, const double *x, double *d)
     double share = 1;
     int samples[3];
 
-    for (int n = 0; n < c->surface.count; n++) {
-        double y[3], way[3];
-        contact_surface_at(&c->surface, n, x, y);
-        contact_surface_at(&c->surface, n, d, way);
-        for (int o = 0; o < c->scene->obstacle_count; o++)
-            share = limit_sample(c, n, o, y, way, share);
-    }
+    for (int n = 0; n < c->surface.count; n++)
+        share = limit_bodies(c, n, x, d, share);
     for (int n = list_features(c, x, d) - 1; n >= 0; n--)
         share = limit_feature(c, n, x, d, share, samples);
     for (int n = 0; n < c->count; n++)
@@ -842,11 +852,7 @@ bool contact_shorten(struct contact *c, const double *x, double *d)
     bool any = false;
 
     for (int n = 0; n < s->count; n++) {
-        double y[3], way[3], share = 1;
-        contact_surface_at(s, n, x, y);
-        contact_surface_at(s, n, d, way);
-        for (int o = 0; o < c->scene->obstacle_count; o++)
-            share = limit_sample(c, n, o, y, way, share);
+        const double share = limit_bodies(c, n, x, d, 1);
         any |= share < 1;
         for (int k = 0; share < 1 && k < s->used[n]; k++)
             for (int i = 0; i < 3; i++)

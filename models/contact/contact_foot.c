@@ -605,26 +605,6 @@ static void refine_net(const struct contact_sheet *sheet, const struct contact_p
         foot->strength *= reached(sheet, closest, foot->distance);
 }
 
-static int surface_at(const struct contact_surface *s, const struct contact_ends *e,
-                      const double *x, double u, double v, int *node, double *weight,
-                      double y[3])
-{
-    const int count = contact_surface_row(s, e, u, v, node, weight);
-
-    y[0] = y[1] = y[2] = 0;
-    for (int k = 0; k < count; k++)
-        for (int i = 0; i < 3; i++)
-            y[i] += weight[k] * x[3 * (long)node[k] + i];
-    return count;
-}
-
-/* The surface near (u,v) to second order, by differences of its points. */
-struct bend {
-    struct contact_ends ends; /* the sheet's                                           */
-    double u, v;
-    double y[3], d[2][3], dd[3][3]; /* value; by u, v; by uu, uv, vv                   */
-};
-
 /* The most times that the surface is taken to second order, two being enough but in bends
  * as tight as its spans; the change in u and v at which it is not taken again; and the most
  * that a foot moves on what was taken once, in samples: farther off lies another valley, or
@@ -632,32 +612,10 @@ struct bend {
 enum { MOST_BENDS = 12 };
 static const double settled = 1e-7, REACH = 0.5;
 
-static void bend_at(const struct contact_surface *s, const double *x, double u, double v,
-                    int *node, double *weight, struct bend *b)
-{
-    const double step = b->ends.step[0], spread = b->ends.step[1];
-    double p[3][3][3];
-
-    b->u = contact_surface_middle(&b->ends, 0, u);
-    b->v = contact_surface_middle(&b->ends, 1, v);
-    for (int k = 0; k < 9; k++)
-        surface_at(s, &b->ends, x, b->u + (k / 3 - 1) * step, b->v + (k % 3 - 1) * spread,
-                   node, weight, p[k / 3][k % 3]);
-    for (int i = 0; i < 3; i++) {
-        b->y[i] = p[1][1][i];
-        b->d[0][i] = (p[2][1][i] - p[0][1][i]) / (2 * step);
-        b->d[1][i] = (p[1][2][i] - p[1][0][i]) / (2 * spread);
-        b->dd[0][i] = (p[2][1][i] - 2 * p[1][1][i] + p[0][1][i]) / (step * step);
-        b->dd[1][i] =
-            (p[2][2][i] - p[2][0][i] - p[0][2][i] + p[0][0][i]) / (4 * step * spread);
-        b->dd[2][i] = (p[1][2][i] - 2 * p[1][1][i] + p[1][0][i]) / (spread * spread);
-    }
-}
-
 /* Moves (u,v) to the closest point of the bend by one step of Newton's method, from `least`
  * to `most`; returns the larger change. */
-static double bend_step(const struct bend *b, const double at[3], const double least[2],
-                        const double most[2], double *u, double *v)
+static double bend_step(const struct contact_bend *b, const double at[3],
+                        const double least[2], const double most[2], double *u, double *v)
 {
     const double du = *u - b->u, dv = *v - b->v;
     double rest[3], su[3], sv[3];
@@ -690,14 +648,13 @@ static double bend_step(const struct bend *b, const double at[3], const double l
 /* Returns the share of a foot at a bend, from which `way` leads to the sample: whole where
  * it is closer than all around it, none where a place beside it is as close, as on the
  * inside of a bend about the sample, where the foot would jump. */
-static double alone(const struct bend *b, const double way[3])
+static double alone(const struct contact_bend *b, const double way[3])
 {
+    static const double none[3] = {0};
     double G[3], A[3];
 
-    for (int k = 0; k < 3; k++) {
-        G[k] = vector_dot(b->d[k / 2], b->d[(k + 1) / 2]);
-        A[k] = G[k] - vector_dot(way, b->dd[k]);
-    }
+    contact_bend_rounds(b, none, G);
+    contact_bend_rounds(b, way, A);
     const double flat = G[0] * G[2] - G[1] * G[1], det = A[0] * A[2] - A[1] * A[1];
     return A[0] > 0 && flat > 0 ? rise(det / flat, LEAST_ALONE, ALONE) : 0;
 }
@@ -711,28 +668,29 @@ static void refine_smooth(const struct contact_sheet *sheet,
     double u, v, from[3], way[3], normal[3];
 
     contact_foot_place(s, place->triangle, place->share, &u, &v);
-    struct bend b = {.ends = contact_surface_ends(s, u)};
+    const struct contact_ends ends = contact_surface_ends(s, u);
+    struct contact_bend b;
     const double start_u = u, start_v = v;
-    const double far_u = REACH * (b.ends.high[0] - b.ends.low[0]) / (s->rows - 1);
+    const double far_u = REACH * (ends.high[0] - ends.low[0]) / (s->rows - 1);
     const double far_v = REACH / (s->points[1] - 1);
     for (int turn = 0; turn < MOST_BENDS; turn++) {
         const double u_old = u, v_old = v;
-        const double least[2] = {fmax(b.ends.least[0], u - far_u),
-                                 fmax(b.ends.least[1], v - far_v)};
-        const double most[2] = {fmin(b.ends.most[0], u + far_u),
-                                fmin(b.ends.most[1], v + far_v)};
-        bend_at(s, x, u, v, node, weight, &b);
+        const double least[2] = {fmax(ends.least[0], u - far_u),
+                                 fmax(ends.least[1], v - far_v)};
+        const double most[2] = {fmin(ends.most[0], u + far_u),
+                                fmin(ends.most[1], v + far_v)};
+        contact_surface_bend(s, &ends, x, u, v, node, weight, &b);
         for (int step = 0; step < 16 && bend_step(&b, at, least, most, &u, &v) > 1e-14;
              step++)
             ;
         if (fabs(u - u_old) + fabs(v - v_old) < settled)
             break;
     }
-    if (fabs(u - start_u) * ((s->rows - 1) / (b.ends.high[0] - b.ends.low[0])) > astray ||
+    if (fabs(u - start_u) * ((s->rows - 1) / (ends.high[0] - ends.low[0])) > astray ||
         fabs(v - start_v) * (s->points[1] - 1) > astray)
         u = start_u, v = start_v;
     foot->u = u, foot->v = v;
-    foot->count = surface_at(s, &b.ends, x, u, v, node, weight, from);
+    foot->count = contact_surface_point(s, &ends, x, u, v, node, weight, from);
     vector_between(from, at, way);
     foot->distance = vector_length(way);
     vector_cross(b.d[0], b.d[1], normal);

@@ -250,3 +250,45 @@ int contact_surface_row(const struct contact_surface *s, const struct contact_en
                            node, shape);
     return used;
 }
+
+int contact_surface_point(const struct contact_surface *s, const struct contact_ends *e,
+                          const double *x, double u, double v, int *node, double *shape,
+                          double y[3])
+{
+    const int count = contact_surface_row(s, e, u, v, node, shape);
+
+    y[0] = y[1] = y[2] = 0;
+    for (int k = 0; k < count; k++)
+        for (int i = 0; i < 3; i++)
+            y[i] += shape[k] * x[3 * (long)node[k] + i];
+    return count;
+}
+
+void contact_surface_bend(const struct contact_surface *s, const struct contact_ends *e,
+                          const double *x, double u, double v, int *node, double *shape,
+                          struct contact_bend *b)
+{
+    const double step = e->step[0], spread = e->step[1];
+    double p[3][3][3];
+
+    b->u = contact_surface_middle(e, 0, u);
+    b->v = contact_surface_middle(e, 1, v);
+    for (int k = 0; k < 9; k++)
+        contact_surface_point(s, e, x, b->u + (k / 3 - 1) * step,
+                              b->v + (k % 3 - 1) * spread, node, shape, p[k / 3][k % 3]);
+    for (int i = 0; i < 3; i++) {
+        b->y[i] = p[1][1][i];
+        b->d[0][i] = (p[2][1][i] - p[0][1][i]) / (2 * step);
+        b->d[1][i] = (p[1][2][i] - p[1][0][i]) / (2 * spread);
+        b->dd[0][i] = (p[2][1][i] - 2 * p[1][1][i] + p[0][1][i]) / (step * step);
+        b->dd[1][i] =
+            (p[2][2][i] - p[2][0][i] - p[0][2][i] + p[0][0][i]) / (4 * step * spread);
+        b->dd[2][i] = (p[1][2][i] - 2 * p[1][1][i] + p[1][0][i]) / (spread * spread);
+    }
+}
+
+void contact_bend_rounds(const struct contact_bend *b, const double way[3], double A[3])
+{
+    for (int k = 0; k < 3; k++)
+        A[k] = vector_dot(b->d[k / 2], b->d[(k + 1) / 2]) - vector_dot(way, b->dd[k]);
+}

@@ -95,6 +95,28 @@ double contact_surface_middle(const struct contact_ends *e, int d, double at);
 int contact_surface_row(const struct contact_surface *s, const struct contact_ends *e,
                         double u, double v, int *node, double *shape);
 
+/* Computes the point y there of a surface with nodes x[nodes][3] as well. */
+int contact_surface_point(const struct contact_surface *s, const struct contact_ends *e,
+                          const double *x, double u, double v, int *node, double *shape,
+                          double y[3]);
+
+/* A smooth surface near a place (u,v) to second order: its point, and the derivatives by u
+ * and v; by uu, uv and vv [m]. */
+struct contact_bend {
+    double u, v;
+    double y[3], d[2][3], dd[3][3];
+};
+
+/* Fills *b by differences of points around the place nearest to (u,v) that allows them;
+ * node and shape have room for a row. */
+void contact_surface_bend(const struct contact_surface *s, const struct contact_ends *e,
+                          const double *x, double u, double v, int *node, double *shape,
+                          struct contact_bend *b);
+
+/* Computes A = F_a F_b - way F_ab for uu, uv and vv: the second derivatives of half the
+ * squared distance from the end of a way [m] that leads away from b's point [m^2]. */
+void contact_bend_rounds(const struct contact_bend *b, const double way[3], double A[3]);
+
 /* Lists the nodes of a weighted sum of samples that differ, each once, with their weights;
  * returns how many, at most count times the width. */
 int contact_surface_mix(const struct contact_surface *s, int count, const int *sample,

@@ -38,58 +38,45 @@ static void add_turning(const struct contact *c, const struct contact_touch *t,
     }
 }
 
-/* A sheet around one of its places: slopes and curvatures (by uu, uv, vv), and the slopes
- * of the weights of its nodes. */
+/* A sheet around one of its places: its bend, and the slopes of the weights of its nodes.
+ */
 struct around {
-    double d[2][3], dd[3][3], slope[2][MOST_NODES];
+    struct contact_bend bend;
+    double slope[2][MOST_NODES];
     bool free[2]; /* the place is not as far along u, or v, as the sheet goes on          */
 };
 
-/* Adds a row of the surface, `sign` times, to the slopes of the weights along d that are
- * among node[count]; returns its point. */
-static void add_row(const struct contact_surface *s, const struct contact_ends *e,
-                    const double uv[2], const double *x, int count, const int *node,
-                    const double sign[2], struct around *a, double point[3])
+/* Adds a row of the surface, `times`, to the slopes of the weights that are among
+ * node[count]. */
+static void add_row(const struct contact_surface *s, const struct contact_ends *e, double u,
+                    double v, int count, const int *node, double times, double *slope)
 {
     double shape[MOST_NODES];
     int own[MOST_NODES];
-    const int used = contact_surface_row(s, e, uv[0], uv[1], own, shape);
+    const int used = contact_surface_row(s, e, u, v, own, shape);
 
-    point[0] = point[1] = point[2] = 0;
-    for (int k = 0; k < used; k++) {
-        for (int i = 0; i < 3; i++)
-            point[i] += shape[k] * x[3 * (long)own[k] + i];
+    for (int k = 0; k < used; k++)
         for (int n = 0; n < count; n++)
-            for (int d = 0; d < 2 && node[n] == own[k]; d++)
-                a->slope[d][n] += sign[d] * shape[k];
-    }
+            if (node[n] == own[k])
+                slope[n] += times * shape[k];
 }
 
 static void look_around(const struct contact_surface *s, const double at[2],
                         const double *x, int count, const int *node, struct around *a)
 {
     const struct contact_ends e = contact_surface_ends(s, at[0]);
-    const double *step = e.step;
-    double p[3][3][3], middle[2];
+
+    double shape[MOST_NODES];
+    int own[MOST_NODES];
 
     memset(a, 0, sizeof *a);
-    for (int d = 0; d < 2; d++) {
-        middle[d] = contact_surface_middle(&e, d, at[d]);
+    contact_surface_bend(s, &e, x, at[0], at[1], own, shape, &a->bend);
+    for (int k = 0; k < 4; k++) {
+        const int d = k / 2, sign = k % 2 ? 1 : -1;
+        const double by = sign * e.step[d];
+        add_row(s, &e, a->bend.u + (d ? 0 : by), a->bend.v + (d ? by : 0), count, node,
+                1 / (2 * by), a->slope[d]);
         a->free[d] = at[d] > e.least[d] && at[d] < e.most[d];
-    }
-    for (int k = 0; k < 9; k++) {
-        const int i = k / 3 - 1, j = k % 3 - 1;
-        const double uv[2] = {middle[0] + i * step[0], middle[1] + j * step[1]};
-        const double sign[2] = {j ? 0 : i / (2 * step[0]), i ? 0 : j / (2 * step[1])};
-        add_row(s, &e, uv, x, count, node, sign, a, p[k / 3][k % 3]);
-    }
-    for (int i = 0; i < 3; i++) {
-        a->d[0][i] = (p[2][1][i] - p[0][1][i]) / (2 * step[0]);
-        a->d[1][i] = (p[1][2][i] - p[1][0][i]) / (2 * step[1]);
-        a->dd[0][i] = (p[2][1][i] - 2 * p[1][1][i] + p[0][1][i]) / (step[0] * step[0]);
-        a->dd[1][i] =
-            (p[2][2][i] - p[2][0][i] - p[0][2][i] + p[0][0][i]) / (4 * step[0] * step[1]);
-        a->dd[2][i] = (p[1][2][i] - 2 * p[1][1][i] + p[1][0][i]) / (step[1] * step[1]);
     }
 }
 
@@ -98,8 +85,7 @@ static void invert_slip(const struct around *a, const double w[3], double invers
 {
     double A[3];
 
-    for (int k = 0; k < 3; k++)
-        A[k] = vector_dot(a->d[k / 2], a->d[(k + 1) / 2]) - vector_dot(w, a->dd[k]);
+    contact_bend_rounds(&a->bend, w, A);
     if (!a->free[0] || !a->free[1])
         A[1] = 0;
     const double det = A[0] * A[2] - A[1] * A[1];
@@ -128,7 +114,7 @@ static bool add_slip(const struct contact *c, const struct contact_touch *t,
     for (int d = 0; d < 2; d++)
         for (int k = 0; k < t->count; k++)
             for (int i = 0; i < 3; i++)
-                h[d][k][i] = weight[k] * around.d[d][i] +
+                h[d][k][i] = weight[k] * around.bend.d[d][i] +
                              (k < used ? 0 : w[i] * around.slope[d][k - used]);
     for (int k = 0; k < 4 * t->count * t->count; k++) {
         const int d = k % 2, e = k / 2 % 2, a = k / 4 / t->count, b = k / 4 % t->count;

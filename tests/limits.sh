@@ -56,11 +56,11 @@ rm waits/lock && mkfifo waits/table.csv waits/case_000001.xdmf && ln -s ../empty
 printf '%s\n' 'name: p' 'source: s' 'scene: edge_drop' 'model: triangles' 'settings: {time.end: 0.01}' \
     'axes: {level: {one: {discretization.points: [4,4]}}}' >plan.yaml
 ends 0 '' "$program" sweep plan.yaml --out waits
-[ -f waits/table.csv ] && [ ! -s empty.yaml ] || fail 'a sweep writes into a pipe, or through a link'
+if [ ! -f waits/table.csv ] || [ -s empty.yaml ]; then fail 'a sweep writes into a pipe, or through a link'; fi
 mkfifo waits/p.csv && ln -s ../empty.yaml waits/p_one.h5
 echo 'times: [0.01]' >>plan.yaml
 ends 0 '' "$program" study plan.yaml --out waits
-[ -f waits/p.csv ] && [ ! -s empty.yaml ] || fail 'a study writes into a pipe, or through a link'
+if [ ! -f waits/p.csv ] || [ -s empty.yaml ]; then fail 'a study writes into a pipe, or through a link'; fi
 rm -r waits
 mkdir waits && mkfifo waits/table.csv waits/run.h5
 timeout 60 "$program" report waits >out 2>err </dev/null

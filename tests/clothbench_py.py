@@ -212,6 +212,8 @@ def bad_truths():
     if h5py:
         h5py.File("bad.h5", "w").close()
         says("no truth", ValueError, "is not a result file", clothbench.truth.read, "bad.h5")
+    os.environ["CLOTHBENCH"] = "nowhere/x"
+    says("a program that is gone", FileNotFoundError, "no program nowhere/x", clothbench.truth.read, "free_fall")
     os.environ["CLOTHBENCH"] = ""
     os.environ["PATH"] = ""
     clothbench.program.__file__ = os.path.abspath("elsewhere.py")

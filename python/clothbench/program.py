@@ -14,8 +14,8 @@ def find():
     program = (os.environ.get("CLOTHBENCH")
                or shutil.which(here + "/../../../../bin/clothbench")  # PREFIX/lib/python3/...
                or shutil.which(here + "/../../build/clothbench") or shutil.which("clothbench"))
-    if not program:
-        raise FileNotFoundError("no program clothbench on the PATH; $CLOTHBENCH may name it")
+    if not program or not shutil.which(program):
+        raise FileNotFoundError(f"no program {program or 'clothbench on the PATH'}; $CLOTHBENCH may name it")
     return program
 
 def run(*words):

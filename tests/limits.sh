@@ -62,7 +62,9 @@ echo 'times: [0.01]' >>plan.yaml
 ends 0 '' "$program" study plan.yaml --out waits
 if [ ! -f waits/p.csv ] || [ -s empty.yaml ]; then fail 'a study writes into a pipe, or through a link'; fi
 rm -r waits
-mkdir waits && mkfifo waits/table.csv waits/run.h5
+mkdir waits && mkfifo waits/table.csv waits/run.h5 waits/M.mtx
+ends 0 '' "$program" run edge_drop --static --matrices waits --quiet --set 'discretization.points=[4,4,2]'
+[ -f waits/M.mtx ] || fail 'run writes a matrix into a pipe'
 timeout 60 "$program" report waits >out 2>err </dev/null
 [ $? -lt 124 ] || fail 'report waits for a pipe'
 for command in score export; do

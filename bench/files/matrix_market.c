@@ -55,7 +55,7 @@ enum status matrix_market_write(const char *path, const struct matrix *m,
     common.print = 0;
     cholmod_sparse *matrix = cholmod_triplet_to_sparse(&triplet, 0, &common);
     TRY(cholmod_status(&common));
-    TRY(output_create(path, &out, why));
+    TRY(output_create_in(NULL, path, &out, why));
     output_print(out, "%%%%MatrixMarket matrix coordinate real symmetric\n");
     print_comment(out, comment);
     print_columns(out, matrix);

@@ -559,9 +559,10 @@ static enum status read_longest(struct contest *c, const struct command_line *li
 
     c->longest = word ? strtod(word, &end) : c->quick ? 0 : LONGEST;
     if (word && (end == word || *end || !(c->longest >= 0)))
-        return status_fail(why, STATUS_INPUT,
-                           "--longest %s: seconds, or 0 for no search beyond the ladder",
-                           word);
+        return status_fail(
+            why, STATUS_INPUT,
+            "--longest %s: seconds, or 0 for no search beyond the ladder, would be right",
+            word);
     return STATUS_OK;
 }
 

@@ -13,7 +13,7 @@ static enum status run(struct command_line *line, struct message *why)
     enum status st = STATUS_OK;
 
     if (out && site)
-        TRY(status_fail(why, STATUS_INPUT, "--out or --site, one of the two"));
+        TRY(status_fail(why, STATUS_INPUT, "report takes --out or --site, one of the two"));
     if (stat(folder, &what) != 0 || !S_ISDIR(what.st_mode))
         TRY(status_fail(why, STATUS_INPUT,
                         "%s: there is no such folder of results; clothbench table 1 makes "

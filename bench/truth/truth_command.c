@@ -310,10 +310,12 @@ static enum status read_wish(struct job *j, const struct command_line *line,
     TRY(command_number(line, "--until", false, &j->until, why));
     if (j->must && j->wish.error >= TRUTH_MOST_ERROR)
         TRY(status_fail(why, STATUS_INPUT,
-                        "--error: below %g%%, what a truth is claimed to",
-                        100 * TRUTH_MOST_ERROR));
+                        "--error %s: less than %g%% would be right, as no truth is claimed "
+                        "beyond",
+                        command_value(line, "--error"), 100 * TRUTH_MOST_ERROR));
     if (j->quick && j->must)
-        TRY(status_fail(why, STATUS_INPUT, "--quick or --error, one of the two"));
+        TRY(status_fail(why, STATUS_INPUT,
+                        "truth takes --quick or --error, one of the two"));
 out:
     return st;
 }
@@ -373,7 +375,7 @@ static enum status choose_file(const struct job *j, const struct command_line *l
     enum status st;
 
     if (out && store)
-        TRY(status_fail(why, STATUS_INPUT, "--out or --store, one of the two"));
+        TRY(status_fail(why, STATUS_INPUT, "truth takes --out or --store, one of the two"));
     if (!out && !store)
         TRY(folder_make(all, why));
     if (out)

@@ -1,13 +1,10 @@
 #include "fem_ref/freefem.h"
 #include "fem_ref/reference.h"
-#include "models/grid.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-enum { POINTS = FREEFEM_SIDE * FREEFEM_SIDE, STRIDE = 9 };
-_Static_assert((FREEFEM_SIDE - 1) * STRIDE == GRID_U - 1 && GRID_U == GRID_V,
-               "FreeFEM's points are grid points");
+enum { POINTS = FREEFEM_SIDE * FREEFEM_SIDE };
 
 /* The 17 digits of u = i / 11 reproduce it to one rounding. */
 #define SAME_POINT 1e-15
@@ -105,29 +102,5 @@ double freefem_difference(const struct freefem_field *a, const struct freefem_fi
     double sum = 0;
     for (int n = 0; n < 3 * POINTS; n++)
         sum += (p[n] - q[n]) * (p[n] - q[n]);
-    return sqrt(sum / POINTS);
-}
-
-double freefem_rmse(const struct freefem_field *field, int t, const struct scene *scene,
-                    const double *xyz)
-{
-    const double(*x)[GRID_V][GRID_U][3] = (const double(*)[GRID_V][GRID_U][3])xyz;
-    const double *u = scene->axis_u, *v = scene->axis_v;
-    double w[3], sum = 0;
-
-    scene_normal(scene, w);
-    for (int n = 0; n < POINTS; n++) {
-        int i = n % FREEFEM_SIDE, j = n / FREEFEM_SIDE;
-        const double *low = x[0][STRIDE * j][STRIDE * i],
-                     *high = x[1][STRIDE * j][STRIDE * i];
-        const double *shift = field->shift[t][j][i];
-        double uvw[3] = {i / 11.0, j / 11.0, 0.5}, rest[3];
-        scene_rest_point(scene, uvw, rest);
-        for (int c = 0; c < 3; c++) {
-            double want = rest[c] + shift[0] * u[c] + shift[1] * v[c] + shift[2] * w[c];
-            double error = (low[c] + high[c]) / 2 - want;
-            sum += error * error;
-        }
-    }
     return sqrt(sum / POINTS);
 }

@@ -9,7 +9,7 @@
 #ifndef FREEFEM_H
 #define FREEFEM_H
 
-#include "models/scene.h"
+#include "models/status.h"
 
 enum { FREEFEM_SIDE = 12, FREEFEM_TIMES = 4 };
 
@@ -29,9 +29,5 @@ enum status freefem_read(const char *path, struct freefem_field *field,
 /* Returns the rms over the points, at time number t, of |a - b| [m]. */
 double freefem_difference(const struct freefem_field *a, const struct freefem_field *b,
                           int t);
-
-/* Returns it against the mid-surface of a sampled field xyz[GRID_W][GRID_V][GRID_U][3]. */
-double freefem_rmse(const struct freefem_field *field, int t, const struct scene *scene,
-                    const double *xyz);
 
 #endif

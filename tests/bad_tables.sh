@@ -39,6 +39,6 @@ mass_spring hanging beam_elastica_cable v1
 mass_spring postbuckling beam_elastica_cable a
 mass_spring lateral lateral_buckling Gamma_star_c
 mass_spring sze sze_benchmarks exact2
-iga outside calculix_matrices_box stiffness
+hex outside calculix_tips middle
 TABLE
 [ "$failures" -eq 0 ]

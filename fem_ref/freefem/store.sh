@@ -67,5 +67,4 @@ store static_h100mm_nu00 0.1 0 0 12 4 9 3
 store static_h100mm_nu049 0.1 0 0.49 12 4 9 3
 store static_h10mm 0.01 0 0.3 20 1 16 1
 store transient_h10mm 0.01 400 0.3 20 1 16 1
-store transient_h1177um 0.001177 400 0.3 20 1 16 1
 store transient_h1mm 0.001 400 0.3 20 1 16 1 6

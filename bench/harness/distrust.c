@@ -259,20 +259,17 @@ bool distrust(const struct run *run, const double value[MEASURES], struct messag
     return true;
 }
 
-enum status distrust_fields(const struct scene *scene, int count, const double *time,
-                            double *const *xyz, struct message *sentence)
+void distrust_fields(const struct scene *scene, int count, const double *time,
+                     double *const *xyz, struct message *sentence)
 {
     const struct run run = {.scene = *scene}; /* borrowed */
     struct looks looks;
     double value[MEASURES];
-    enum status st;
 
-    TRY(looks_init(&looks, count));
+    looks_init(&looks, count);
     for (int n = 0; n < count; n++)
         looks_add(&looks, scene, time[n], xyz[n], true);
     looks_reduce(&looks, scene, STATUS_OK, NAN, NULL, value);
     distrust(&run, value, sentence);
-out:
     looks_clear(&looks);
-    return st;
 }

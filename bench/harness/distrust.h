@@ -33,8 +33,8 @@ double distrust_strain(const struct scene *scene);
 bool distrust(const struct run *run, const double value[MEASURES],
               struct message *sentence);
 
-/* Judges fields (grid.h) at their times; an empty sentence: no reason. STATUS_MEMORY. */
-enum status distrust_fields(const struct scene *scene, int count, const double *time,
-                            double *const *xyz, struct message *sentence);
+/* Judges fields (grid.h) at their times; an empty sentence: no reason. */
+void distrust_fields(const struct scene *scene, int count, const double *time,
+                     double *const *xyz, struct message *sentence);
 
 #endif

@@ -29,25 +29,21 @@ const struct looks_series looks_series[LOOKS_SERIES] = {
     [LOOKS_TURN] = {"turn", "rad", NULL, MEASURE_TURN_MAX, -1},
 };
 
-enum status looks_init(struct looks *l, int room)
+void looks_init(struct looks *l, int room)
 {
     const size_t size = (size_t)room + 1;
 
     *l = (struct looks){.room = room};
-    l->time = malloc((2 + LOOKS_SERIES) * size * sizeof *l->time);
-    l->energy = malloc(size * sizeof *l->energy);
-    if (!l->time || !l->energy)
-        return STATUS_MEMORY;
+    l->time = arena_take(&l->arena, (2 + LOOKS_SERIES) * size, sizeof *l->time);
+    l->energy = arena_take(&l->arena, size, sizeof *l->energy);
     for (size_t n = 0; n < LOOKS_SERIES; n++)
         l->series[n] = l->time + (n + 1) * size;
     l->drift = l->time + (1 + LOOKS_SERIES) * size;
-    return STATUS_OK;
 }
 
 void looks_clear(struct looks *l)
 {
-    free(l->time);
-    free(l->energy);
+    arena_clear(&l->arena);
     *l = (struct looks){0};
 }
 

@@ -5,6 +5,7 @@
 
 #include <stdbool.h>
 
+#include "bench/files/arena.h"
 #include "bench/harness/measures.h"
 #include "models/model.h"
 
@@ -33,14 +34,15 @@ extern const struct looks_series looks_series[LOOKS_SERIES];
 
 struct looks {
     int count, room;
-    double *time;                 /* [count] [s]; owned, with the series behind it     */
+    struct arena arena;           /* of what follows                            owned  */
+    double *time;                 /* [count] [s]                                       */
     double *series[LOOKS_SERIES]; /* [count]                                           */
     double *drift;                /* [count] of the energy, once it is reduced         */
-    struct energy *energy;        /* [count]; NaN: the model has none          owned   */
+    struct energy *energy;        /* [count]; NaN: the model has none                  */
 };
 
 /* Allocates room for that many looks, count 0. *looks is overwritten. */
-enum status looks_init(struct looks *looks, int room);
+void looks_init(struct looks *looks, int room);
 void looks_clear(struct looks *looks); /* all-zero is allowed */
 
 /* Adds a look, measured on a field (grid.h), its self-intersections only if asked for;

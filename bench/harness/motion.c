@@ -16,19 +16,18 @@
 enum { NET = 6, NET_POINTS = NET * NET };
 static const double suspicious = 4;
 
-enum status motion_init(struct motion *m, const struct model *model,
-                        const struct scene *scene, void *state)
+void motion_init(struct motion *m, const struct model *model, const struct scene *scene,
+                 void *state)
 {
     *m =
         (struct motion){.model = model, .scene = scene, .state = state, .clock = clock_now};
     m->frame_count = (int)lround(scene->end / scene->step);
-    m->seconds = malloc((size_t)(m->frame_count + 1) * sizeof *m->seconds);
-    return m->seconds ? STATUS_OK : STATUS_MEMORY;
+    m->seconds = arena_take(&m->arena, (size_t)m->frame_count + 1, sizeof *m->seconds);
 }
 
 void motion_clear(struct motion *m)
 {
-    free(m->seconds);
+    arena_clear(&m->arena);
     *m = (struct motion){0};
 }
 

@@ -5,6 +5,7 @@
 
 #include <stdbool.h>
 
+#include "bench/files/arena.h"
 #include "models/model.h"
 
 struct motion {
@@ -18,10 +19,11 @@ struct motion {
     int steps;                 /* numbers in `seconds`                                 */
     struct counters counters;
     double (*clock)(void); /* of the seconds: clock_now, unless set after motion_init  */
-    bool judged;       /* set after motion_init: every frame was judged in a run before  */
-    double until;      /* set after motion_init: when it is stopped (deadline.h)         */
-    enum status death; /* STATUS_OK: it lives                                          */
-    double death_time; /* of the frame that failed                                 [s] */
+    bool judged;        /* set after motion_init: every frame was judged in a run before  */
+    double until;       /* set after motion_init: when it is stopped (deadline.h)         */
+    enum status death;  /* STATUS_OK: it lives                                          */
+    double death_time;  /* of the frame that failed                                 [s] */
+    struct arena arena; /* of seconds                                             owned */
 };
 
 /* A watcher is called at t = 0 and after every frame survived; if it returns anything but
@@ -30,8 +32,8 @@ typedef enum status motion_watcher(void *context, const struct motion *m,
                                    struct message *why);
 
 /* Builds the state at the scene's start. *m is overwritten; free with motion_clear. */
-enum status motion_init(struct motion *m, const struct model *model,
-                        const struct scene *scene, void *state);
+void motion_init(struct motion *m, const struct model *model, const struct scene *scene,
+                 void *state);
 void motion_clear(struct motion *m);
 
 /* Runs all frames, up to scene->end or a death, which is a result: STATUS_OK and m->death;

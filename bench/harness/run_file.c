@@ -18,6 +18,7 @@ struct run_file {
     const struct run_keep *keep;
     struct looks looks;
     struct store *store;  /* NULL: none                                              */
+    struct arena fields;  /* of the two, until the looks end                  owned   */
     double *xyz, *before; /* this look's field and the last one's                    */
     double *truth;        /* [LOOKS_TRUTH][looks' room]; NULL: none is known         */
     int next;             /* of keep->time                                           */
@@ -33,6 +34,7 @@ struct run_file {
     bool created, advanced; /* the caller gave those seconds                           */
     enum status refused;
     struct message sentence, doubt;
+    struct arena arena; /* of truth                                             owned  */
 };
 
 void run_file_discard(struct run_file *f)
@@ -41,9 +43,8 @@ void run_file_discard(struct run_file *f)
         return;
     store_discard(f->store);
     looks_clear(&f->looks);
-    free(f->xyz);
-    free(f->before);
-    free(f->truth);
+    arena_clear(&f->fields);
+    arena_clear(&f->arena);
     free(f);
 }
 
@@ -74,19 +75,19 @@ enum status run_file_open(const struct run *run, const struct run_keep *keep,
 {
     const long frames = lround(run->scene.end / run->scene.step);
     struct run_file *f = calloc(1, sizeof *f);
-    enum status st = STATUS_MEMORY;
+    enum status st;
 
-    TRY(f ? STATUS_OK : STATUS_MEMORY);
+    if (!f)
+        arena_end();
     f->run = run;
     f->keep = keep;
-    f->xyz = malloc(3 * GRID_POINTS * sizeof *f->xyz);
-    f->before = malloc(3 * GRID_POINTS * sizeof *f->before);
-    TRY(f->xyz && f->before ? STATUS_OK : STATUS_MEMORY);
-    TRY(looks_init(&f->looks,
-                   (keep->every ? (int)(frames / keep->every) : 0) + keep->times + 2));
+    f->xyz = arena_take(&f->fields, 3 * GRID_POINTS, sizeof *f->xyz);
+    f->before = arena_take(&f->fields, 3 * GRID_POINTS, sizeof *f->before);
+    looks_init(&f->looks,
+               (keep->every ? (int)(frames / keep->every) : 0) + keep->times + 2);
     if (keep->truth)
-        f->truth = calloc(LOOKS_TRUTH * (size_t)f->looks.room, sizeof *f->truth);
-    TRY(f->truth || !keep->truth ? STATUS_OK : STATUS_MEMORY);
+        f->truth =
+            arena_take(&f->arena, LOOKS_TRUTH * (size_t)f->looks.room, sizeof *f->truth);
     TRY(open_store(f, why));
     *file = f, f = NULL;
 out:
@@ -235,9 +236,7 @@ enum status run_file_end(struct run_file *f, struct message *why)
         f->run->model->size(f->run->state, &f->size);
     if (f->run->state && f->run->model->doubt)
         f->run->model->doubt(f->run->state, &f->doubt);
-    free(f->xyz);
-    free(f->before);
-    f->xyz = f->before = NULL;
+    arena_clear(&f->fields);
     f->ended = true;
     return st;
 }
@@ -363,7 +362,7 @@ enum status run_file_follow(const struct case_plan *c, struct run *run, struct m
     } else if (c->rest) {
         TRY(settle(run, f, why));
     } else {
-        TRY(motion_init(m, run->model, &run->scene, run->state));
+        motion_init(m, run->model, &run->scene, run->state);
         m->until = c->until;
         TRY(motion_run(m, run_file_watch, f, true, why));
     }

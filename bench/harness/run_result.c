@@ -53,7 +53,7 @@ static enum status read_looks(struct store_read *file, const char *path, struct 
     int count, columns;
 
     TRY(store_read_array(file, "time", &time, &count, &columns, why));
-    TRY(looks_init(l, count));
+    looks_init(l, count);
     l->count = count;
     TRY(read_numbers(file, path, "time", count, 1, l->time, why));
     for (int n = 0; n < LOOKS_SERIES; n++) {

@@ -42,10 +42,7 @@ int timing_processors(void)
 
 void timing_clear(struct timing_case *c)
 {
-    if (!c)
-        return;
-    free(c->create);
-    free(c->advance);
+    arena_clear(&c->arena);
     c->create = c->advance = NULL;
 }
 
@@ -55,7 +52,7 @@ static enum status step(const struct timing_case *c, struct run *fresh, double *
     struct motion m = {0};
     enum status st;
 
-    TRY(motion_init(&m, fresh->model, &fresh->scene, fresh->state));
+    motion_init(&m, fresh->model, &fresh->scene, fresh->state);
     m.judged = true;
     m.until = c->until;
     m.clock = clock_processor;
@@ -101,15 +98,14 @@ out:
     return st;
 }
 
-static enum status make_room(struct timing_case *c)
+static void make_room(struct timing_case *c)
 {
     const size_t repeats = c->repeats ? (size_t)c->repeats : TIMING_REPEATS;
 
     if (c->rest)
         c->frames = 1, c->warmup = 0;
-    c->create = malloc(repeats * sizeof(double));
-    c->advance = malloc((repeats * (size_t)c->frames + 1) * sizeof(double));
-    return c->create && c->advance ? STATUS_OK : STATUS_MEMORY;
+    c->create = arena_take(&c->arena, repeats, sizeof(double));
+    c->advance = arena_take(&c->arena, repeats * (size_t)c->frames, sizeof(double));
 }
 
 int timing_repeats(double seconds, bool quick)
@@ -145,8 +141,8 @@ enum status timing_run(const struct timing_plan *plan, int count, struct timing_
     enum status st = STATUS_OK;
     int most = 1;
 
-    for (int n = 0; n < count && st == STATUS_OK; n++)
-        st = make_room(&cases[n]);
+    for (int n = 0; n < count; n++)
+        make_room(&cases[n]);
     for (int r = 0; r < most && st == STATUS_OK; r++) {
         st = run_round(plan, r, count, cases, why);
         for (int n = 0; n < count; n++)

@@ -20,9 +20,10 @@ struct timing_case {
     bool rest;             /* static equilibrium is timed instead: frames = 1           */
     int repeats;           /* 0: by the rule above, from the first repeat's seconds      */
     double until;          /* when a motion is stopped (deadline.h); 0: never            */
-    double *create;        /* [repeats]           set-up                   [s]   owned   */
-    double *advance; /* [repeats][frames]   one time step each; NaN after a death  owned */
+    double *create;        /* [repeats]           set-up                   [s]           */
+    double *advance; /* [repeats][frames]   one time step each; NaN after a death         */
     double bytes;    /* that the model holds after the last step (clock_allocated)       */
+    struct arena arena; /* of create and advance                                  owned  */
 };
 
 struct timing_plan {

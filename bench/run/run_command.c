@@ -216,7 +216,7 @@ static enum status run_motion(struct job *j, struct message *why)
     enum status st = STATUS_OK;
     struct motion m = {0};
 
-    TRY(motion_init(&m, j->run.model, &j->run.scene, j->run.state));
+    motion_init(&m, j->run.model, &j->run.scene, j->run.state);
     TRY(motion_run(&m, watch_frame, j, j->quiet, why));
     TRY(close_file(j, &m, why));
     if (!j->quiet)

@@ -228,12 +228,11 @@ const char *truth_bar_name(const struct truth *t)
     return t->alone ? "one model's own bar" : "truth's error bar";
 }
 
-enum status truth_doubt(const struct scene *scene, struct truth *t)
+void truth_doubt(const struct scene *scene, struct truth *t)
 {
     const double percent = 100 / scene->length;
     struct message said;
     int n = 0;
-    enum status st;
 
     t->alone = isinf(t->value[0][TRUTH_SOLID_BAR]) || isinf(t->value[0][TRUTH_SHELL_BAR]);
     while (n < t->times && t->error[n] <= TRUTH_MOST_ERROR * scene->length)
@@ -250,11 +249,9 @@ enum status truth_doubt(const struct scene *scene, struct truth *t)
                  scene->name, t->time[n], percent * t->value[n][TRUTH_DIFFERENCE],
                  percent * t->value[n][TRUTH_SOLID_BAR],
                  percent * t->value[n][TRUTH_SHELL_BAR]);
-    TRY(distrust_fields(scene, n, t->time, t->xyz, &said));
+    distrust_fields(scene, n, t->time, t->xyz, &said);
     if (*said.text)
         TEXT_JOIN(t->unresolved, " ", "Of the truth itself: %s", said.text);
-out:
-    return st;
 }
 
 /* Copies what is stored for the times of t. STATUS_FILE: a time is missing;
@@ -328,7 +325,9 @@ static enum status from_folder(const char *folder, const struct scene *scene,
     char path[PATH];
     const enum status st = from_file(left_in(folder, path), "", scene, t, why);
 
-    return st == STATUS_OK ? truth_doubt(scene, t) : st;
+    if (st == STATUS_OK)
+        truth_doubt(scene, t);
+    return st;
 }
 
 /* Makes one, and leaves it in the folder of its runs. */
@@ -344,7 +343,7 @@ static enum status make_one(const struct truth_runs *runs, const struct truth_wi
     if (end.answer == TRUTH_LOST)
         TRY(status_fail(why, STATUS_UNSUPPORTED, "no truth of %s: %s", scene->name,
                         end.text));
-    TRY(truth_doubt(scene, t));
+    truth_doubt(scene, t);
     TRY(truth_file_write(left_in(runs->folder, path), runs, t, why));
 out:
     return st;

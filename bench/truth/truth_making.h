@@ -96,8 +96,8 @@ void truth_bar_horizon(const struct truth_push *push, bool blunt, int count,
                        const double *time, double length, char text[TRUTH_WATCH_TEXT]);
 
 /* Fills `alone` and `unresolved` of a truth whose fields and bars are made: from where on
- * it is none, and why: its bars, or fields that can't be right. STATUS_MEMORY. */
-enum status truth_doubt(const struct scene *scene, struct truth *t);
+ * it is none, and why: its bars, or fields that can't be right. */
+void truth_doubt(const struct scene *scene, struct truth *t);
 
 /* --- The maker --- */
 

@@ -395,9 +395,8 @@ bool verify_trial_watch(struct verify_trial *t, motion_watcher *watch, void *con
     struct motion m = {0};
 
     if (open_trial(t)) {
+        motion_init(&m, t->run.model, &t->run.scene, t->run.state);
         t->lived =
-            verify_sheet_holds(
-                sheet, motion_init(&m, t->run.model, &t->run.scene, t->run.state)) &&
             verify_sheet_holds(sheet, motion_run(&m, watch, context, true, &sheet->why)) &&
             m.death == STATUS_OK;
         for (int i = 0; i < m.steps; i++)

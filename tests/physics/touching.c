@@ -80,7 +80,7 @@ static void check_row(const struct row *row)
     REQUIRE(xyz);
     if (!CHECK(run_open(&run, &plan, &why) == STATUS_OK))
         printf("%s\n", why.text);
-    REQUIRE(motion_init(&m, run.model, &run.scene, run.state) == STATUS_OK);
+    motion_init(&m, run.model, &run.scene, run.state);
     if (!CHECK(motion_run(&m, NULL, NULL, true, &why) == STATUS_OK))
         printf("%s %s: %s\n", row->scene, row->contestant, why.text);
     model_sample(run.model, run.state, xyz);

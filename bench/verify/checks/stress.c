@@ -174,7 +174,7 @@ static enum status move(struct judged *r)
     struct motion m = {0};
     enum status st;
 
-    TRY(motion_init(&m, run->model, &run->scene, run->state));
+    motion_init(&m, run->model, &run->scene, run->state);
     TRY(motion_run(&m, watch, r, true, r->why));
     if (!m.death)
         goto out;

@@ -28,7 +28,8 @@ static void begin(void)
     static const double shape[LOOKS] = {1, 1.5, -2, 1.25}, time[LOOKS] = {0, 0.2, 0.3, 0.7};
     static struct scene_obstacle plane = {.kind = OBSTACLE_PLANE, .normal = {0, 0, 1}};
 
-    REQUIRE(scene_init(&sheet) == STATUS_OK && looks_init(&looks, LOOKS) == STATUS_OK);
+    REQUIRE(scene_init(&sheet) == STATUS_OK);
+    looks_init(&looks, LOOKS);
     CHECK(looks.count == 0 && looks.room == LOOKS);
     sheet.length = 0.4, sheet.young = 500, sheet.density = 2;
     memcpy(sheet.gravity, (double[]){3, -4, 12}, sizeof sheet.gravity);
@@ -298,7 +299,7 @@ static void fly(double lengths, bool judged, enum status death, int samples)
 
     leaver.frame = leaver.samples = 0;
     leaver.lengths = lengths;
-    REQUIRE(motion_init(&m, &model, leaver.scene, NULL) == STATUS_OK);
+    motion_init(&m, &model, leaver.scene, NULL);
     m.judged = judged;
     REQUIRE(motion_run(&m, NULL, NULL, true, NULL) == STATUS_OK);
     CHECK(m.death == death && leaver.samples == samples);

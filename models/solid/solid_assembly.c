@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "models/room.h"
+#include "models/solid/solid_green_layer.h"
 
 static bool runs_of(const struct solid_space *s, int run)
 {
@@ -60,22 +61,42 @@ out:
     return st;
 }
 
-static void scatter(struct solid_assembly *s, const struct solid_element *e, int element)
+void solid_assembly_add(const struct solid_assembly *s, struct solid_green_element *e,
+                        const struct solid_green_rest *rest, int element,
+                        double stress_share, double geometry_share, double (*K)[9])
 {
-    int local = e->local, run = s->run, runs = local / run;
+    const int local = e->local, run = s->run, runs = local / run;
+    const int *place = s->place + (size_t)element * (size_t)(local * runs);
+
+    if (e->layer)
+        solid_green_layer_stiffness(e, &s->material, &rest->layer, geometry_share);
+    else
+        solid_green_element_stiffness(e, &s->material, rest, stress_share, geometry_share);
+    for (int a = 0; a < local; a++)
+        for (int r = a / run; r < runs; r++) {
+            const int first = r * run > a ? r * run : a;
+            double(*to)[9] = K + place[a * runs + r];
+            if (e->layer)
+                solid_green_layer_blocks(e, stress_share, a, first, (r + 1) * run, to);
+            else
+                solid_green_element_blocks(e, &s->material, stress_share, a, first,
+                                           (r + 1) * run, to);
+        }
+}
+
+/* Adds an element's mass and volumes. */
+static void add_mass(struct solid_assembly *s, const struct solid_element *e, int element)
+{
+    const int local = e->local, run = s->run, runs = local / run;
     const int *node = s->space->ien + (size_t)element * (size_t)local;
     const int *place = s->place + (size_t)element * (size_t)(local * runs);
 
     for (int a = 0; a < local; a++) {
-        const double *K = e->K + (size_t)a * (size_t)e->padded * 9;
         const double *M = e->M + (size_t)a * (size_t)e->row;
         for (int r = a / run; r < runs; r++) {
-            int b = r * run > a ? r * run : a, count = (r + 1) * run - b;
-            double *to = s->K[place[a * runs + r]], *to_M = s->M + place[a * runs + r];
-            for (int t = 0; t < 9 * count; t++)
-                to[t] += K[9 * b + t];
+            const int b = r * run > a ? r * run : a, count = (r + 1) * run - b;
             for (int t = 0; t < count; t++)
-                to_M[t] += M[b + t];
+                s->M[place[a * runs + r] + t] += M[b + t];
         }
         s->volume[node[a]] += e->volume[a];
     }
@@ -97,7 +118,8 @@ static enum status assemble(struct solid_assembly *s, int thread, int slab, int 
             enum status st = solid_element_compute(work, s->space, e, &s->material, x);
             if (st != STATUS_OK)
                 return st;
-            scatter(s, work, e);
+            solid_assembly_add(s, &work->green, &work->rest, e, 1, 0, s->K);
+            add_mass(s, work, e);
         }
     return STATUS_OK;
 }

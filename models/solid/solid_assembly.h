@@ -35,4 +35,11 @@ void solid_assembly_clear(struct solid_assembly *s);
  * STATUS_NAN the matrices are unusable. */
 enum status solid_assembly_compute(struct solid_assembly *s, const double *x);
 
+/* Adds the tangent of an element, on the geometry of a thread's room e, to K: stress_share
+ * times the material part, geometry_share times that of the stress of e->strain; 0: the
+ * stiffness at rest. */
+void solid_assembly_add(const struct solid_assembly *s, struct solid_green_element *e,
+                        const struct solid_green_rest *rest, int element,
+                        double stress_share, double geometry_share, double (*K)[9]);
+
 #endif

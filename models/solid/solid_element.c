@@ -1,13 +1,11 @@
 #include "models/solid/solid_element.h"
 
-#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "models/room.h"
 #include "models/solid/solid_hinge.h"
-#include "models/solid/solid_layer.h"
 #include "models/solid/solid_outer.h"
 #include "models/vector.h"
 
@@ -47,7 +45,7 @@ struct solid_material solid_element_material(const struct law *law, double densi
 
 void solid_element_clear(struct solid_element *e)
 {
-    solid_layer_destroy(e->layer);
+    solid_green_element_clear(&e->green);
     free(e->memory);
     memset(e, 0, sizeof *e);
 }
@@ -56,25 +54,23 @@ enum status solid_element_init(struct solid_element *e, const struct solid_space
 {
     enum status st;
     size_t local = (size_t)space->local, gauss = (size_t)space->gauss;
-    size_t columns = local + (size_t)space->modes;
-    size_t padded = SOLID_PADDED(columns), row = SOLID_PADDED(local);
+    size_t modes = (size_t)space->modes, row = SOLID_PADDED(local);
+    size_t internal = modes ? SOLID_GREEN_INTERNAL * SOLID_GREEN_INTERNAL : 0;
 
     memset(e, 0, sizeof *e);
-    TRY(room_cut(
-        &e->memory, ROOM(e->shape.N, gauss * row), ROOM(e->shape.G, gauss * 3 * row),
-        ROOM(e->shape.weight, SOLID_PADDED(gauss)), ROOM(e->X, 4 * local),
-        ROOM(e->centre, space->modes ? 3 * row : 0), ROOM(e->g, gauss * 3 * padded),
-        ROOM(e->wg, gauss * 3 * padded), ROOM(e->dV, SOLID_PADDED(gauss)),
-        ROOM(e->wN, gauss * row),
-        ROOM(e->H, padded * 9 * padded) /* rows in pairs: one more than columns */,
-        ROOM(e->M, local * row), ROOM(e->volume, row), ROOM(e->K, columns * padded * 9)));
+    TRY(room_cut(&e->memory, ROOM(e->shape.N, gauss * row),
+                 ROOM(e->shape.G, gauss * 3 * row),
+                 ROOM(e->shape.weight, SOLID_PADDED(gauss)), ROOM(e->X, 4 * local),
+                 ROOM(e->centre, modes ? 3 * row : 0), ROOM(e->g, gauss * 3 * row),
+                 ROOM(e->mode, gauss * modes * 3), ROOM(e->dV, SOLID_PADDED(gauss)),
+                 ROOM(e->A, internal), ROOM(e->wN, gauss * row), ROOM(e->M, local * row),
+                 ROOM(e->volume, row)));
     e->local = space->local;
     e->row = (int)row;
-    e->padded = (int)padded;
     e->gauss = space->gauss;
     e->modes = space->modes;
-    if (space->layer)
-        TRY(solid_layer_create(space, &e->layer));
+    e->rest = (struct solid_green_rest){e->g, e->mode, e->dV, e->A};
+    TRY(solid_green_element_init(&e->green, space));
 out:
     if (st != STATUS_OK)
         solid_element_clear(e);
@@ -112,19 +108,21 @@ static double inverse_jacobian(int local, int row, const double *X, const double
     return det;
 }
 
-/* Computes g_i = scale sum_j T_ij G_j and wg_i = dV g_i for `count` columns. */
-static void push_forward(int count, double T[3][3], double scale, const double *G,
-                         int G_row, double dV, double *restrict g, double *restrict wg,
-                         int g_row)
+/* Computes g_i = sum_j T_ij G_j of the functions. */
+static void push_forward(int row, double T[3][3], const double *G, double *restrict g)
 {
-    for (int i = 0; i < 3; i++) {
-        double t0 = scale * T[i][0], t1 = scale * T[i][1], t2 = scale * T[i][2];
-        for (int a = 0; a < count; a++) {
-            double s = t0 * G[a] + t1 * G[G_row + a] + t2 * G[2 * G_row + a];
-            g[i * g_row + a] = s;
-            wg[i * g_row + a] = dV * s;
-        }
-    }
+    for (int i = 0; i < 3; i++)
+        for (int a = 0; a < row; a++)
+            g[i * row + a] =
+                T[i][0] * G[a] + T[i][1] * G[row + a] + T[i][2] * G[2 * row + a];
+}
+
+/* Computes the same of internal modes, times `scale`, in g[modes][3]. */
+static void push_modes(int modes, double T[3][3], double scale, const double *G, double *g)
+{
+    for (int m = 0; m < modes; m++, G++)
+        for (int i = 0; i < 3; i++)
+            *g++ = scale * (T[i][0] * G[0] + T[i][1] * G[modes] + T[i][2] * G[2 * modes]);
 }
 
 static enum status bad_jacobian(double det)
@@ -132,11 +130,10 @@ static enum status bad_jacobian(double det)
     return isnan(det) ? STATUS_NAN : STATUS_INVERTED;
 }
 
-/* Computes gradients at every Gauss point; internal modes are behind the functions. */
+/* Computes gradients at every Gauss point. */
 static enum status physical_gradients(struct solid_element *e,
                                       const struct solid_space *space, int element)
 {
-    int width = e->modes ? e->local : e->row;
     double centre[3][3], centre_det = 0;
 
     if (e->modes) {
@@ -148,18 +145,16 @@ static enum status physical_gradients(struct solid_element *e,
     }
     for (int q = 0; q < e->gauss; q++) {
         const double *G = e->shape.G + (size_t)q * 3 * (size_t)e->row;
-        double *g = e->g + (size_t)q * 3 * (size_t)e->padded;
-        double *wg = e->wg + (size_t)q * 3 * (size_t)e->padded;
         double T[3][3], det = inverse_jacobian(e->local, e->row, e->X, G, T);
 
         if (!(det > 0))
             return bad_jacobian(det);
         e->dV[q] = e->shape.weight[q] * det;
-        push_forward(width, T, 1, G, e->row, e->dV[q], g, wg, e->padded);
-        if (e->modes) /* scaled so that their gradients integrate to zero: patch test */
-            push_forward(e->modes, centre, centre_det / det,
-                         space->mode_gradient + (size_t)q * 3 * (size_t)e->modes, e->modes,
-                         e->dV[q], g + e->local, wg + e->local, e->padded);
+        push_forward(e->row, T, G, e->g + (size_t)q * 3 * (size_t)e->row);
+        /* scaled so that their gradients integrate to zero: patch test */
+        push_modes(e->modes, centre, centre_det / det,
+                   space->mode_gradient + (size_t)q * 3 * (size_t)e->modes,
+                   e->mode + (size_t)q * 3 * (size_t)e->modes);
     }
     return STATUS_OK;
 }
@@ -175,36 +170,6 @@ static enum status volumes(struct solid_element *e)
         e->dV[q] = e->shape.weight[q] * det;
     }
     return STATUS_OK;
-}
-
-/* Unpacks blocks of four columns, row-major, from their entries. */
-static void unpack(const lanes k[9], double *K)
-{
-    for (int b = 0; b < SOLID_LANES; b++)
-        for (int t = 0; t < 9; t++)
-            K[9 * b + t] = k[t][b];
-}
-
-/* Computes K_ab from H_ab, four b at a time. */
-static void stiffness(struct solid_element *e, const struct solid_material *material)
-{
-    double lambda = material->lambda, mu = material->mu;
-    int rows = e->local + e->modes, n = e->padded;
-
-    for (int a = 0; a < rows; a++)
-        for (int c = a / SOLID_LANES * SOLID_LANES; c < n; c += SOLID_LANES) {
-            const double *H = e->H + (size_t)a * 9 * (size_t)n + c;
-            double *K = e->K + ((size_t)a * (size_t)n + (size_t)c) * 9;
-            lanes h[9], k[9];
-
-            for (int t = 0; t < 9; t++)
-                h[t] = *(const lanes *)(H + t * n);
-            for (int t = 0; t < 9; t++) /* 3 i + j and its transpose 3 j + i */
-                k[t] = lambda * h[t] + mu * h[t % 3 * 3 + t / 3];
-            lanes shear = mu * (h[0] + h[4] + h[8]);
-            k[0] += shear, k[4] += shear, k[8] += shear;
-            unpack(k, K);
-        }
 }
 
 static void mass(struct solid_element *e, double density)
@@ -231,88 +196,6 @@ static void mass(struct solid_element *e, double density)
     }
 }
 
-/* Internal modes are a hexahedron's: three of them, eight functions. */
-enum { MODES_MAX = 3, INTERNAL_MAX = 3 * MODES_MAX, CONDENSED_MAX = 3 * 8 };
-
-/* Returns entry (mode m, component i; column b, component j) of the modes' stiffness. */
-static double internal_entry(const struct solid_element *e, int m, int i, int b, int j)
-{
-    size_t row = (size_t)e->padded, p = (size_t)(e->local + m), c = (size_t)b;
-
-    return c < p ? e->K[(c * row + p) * 9 + (size_t)(3 * j + i)]
-                 : e->K[(p * row + c) * 9 + (size_t)(3 * i + j)];
-}
-
-/* Computes the Cholesky factor of the internal stiffness B, definite where det J > 0. */
-static enum status internal_factor(const struct solid_element *e,
-                                   double L[INTERNAL_MAX][INTERNAL_MAX])
-{
-    for (int s = 0; s < 3 * e->modes; s++)
-        for (int t = 0; t <= s; t++) {
-            double v = internal_entry(e, s / 3, s % 3, e->local + t / 3, t % 3);
-            for (int k = 0; k < t; k++)
-                v -= L[s][k] * L[t][k];
-            if (s == t && !(v > 0))
-                return STATUS_INDEFINITE;
-            L[s][t] = s == t ? sqrt(v) : v / L[t][t];
-        }
-    return STATUS_OK;
-}
-
-/* Computes K_ab -= K_ai B^-1 K_ib: with Y = L^-1 K_ib, K -= Y^T Y. */
-static enum status condense(struct solid_element *e)
-{
-    double L[INTERNAL_MAX][INTERNAL_MAX], Y[INTERNAL_MAX][CONDENSED_MAX];
-    int n = 3 * e->modes, columns = 3 * e->local;
-
-    assert(e->modes <= MODES_MAX && columns <= CONDENSED_MAX);
-    if (internal_factor(e, L) != STATUS_OK)
-        return STATUS_INDEFINITE;
-    for (int c = 0; c < columns; c++)
-        for (int s = 0; s < n; s++) {
-            double v = internal_entry(e, s / 3, s % 3, c / 3, c % 3);
-            for (int k = 0; k < s; k++)
-                v -= L[s][k] * Y[k][c];
-            Y[s][c] = v / L[s][s];
-        }
-    for (int a = 0; a < e->local; a++)
-        for (int b = a; b < e->local; b++) {
-            double *K = e->K + ((size_t)a * (size_t)e->padded + (size_t)b) * 9;
-            for (int ij = 0; ij < 9; ij++)
-                for (int s = 0; s < n; s++)
-                    K[ij] -= Y[s][3 * a + ij / 3] * Y[s][3 * b + ij % 3];
-        }
-    return STATUS_OK;
-}
-
-/* Computes K of one layer as a plate. */
-static enum status layer_stiffness(struct solid_element *e, const struct solid_space *space,
-                                   int element, const struct solid_material *material)
-{
-    struct solid_layer *s = e->layer;
-    enum status st = solid_layer_place(s, space, element, e->X);
-    const struct solid_layer_rest rest = solid_layer_placed(s);
-    double vectors[SOLID_LAYER_VECTORS][3];
-    int strains = 0, n = e->padded;
-
-    if (st != STATUS_OK)
-        return st;
-    for (int q = 0; q < solid_layer_points(rest.points); q++) {
-        memcpy(vectors, rest.t + q * SOLID_LAYER_VECTORS * 3, sizeof vectors);
-        strains += solid_layer_vary(s, &rest, q, vectors, material, strains);
-    }
-    solid_outer(e->local, n, strains, s->wb, s->b, e->H);
-    for (int a = 0; a < e->local; a++)
-        for (int c = a / SOLID_LANES * SOLID_LANES; c < n; c += SOLID_LANES) {
-            const double *H = e->H + a * 9 * n + c;
-            lanes k[9];
-            for (int t = 0; t < 9; t++)
-                k[t] = *(const lanes *)(H + t * n);
-            unpack(k, e->K + (a * n + c) * 9);
-        }
-    return STATUS_OK;
-}
-
 static void hinge(struct solid_element *e, const struct solid_space *space, int element,
                   int points)
 {
@@ -336,9 +219,9 @@ enum status solid_element_compute(struct solid_element *e, const struct solid_sp
     if (st != STATUS_OK)
         return st;
     mass(e, material->density);
-    if (space->layer)
-        return layer_stiffness(e, space, element, material);
-    solid_outer(e->local + e->modes, e->padded, e->gauss, e->wg, e->g, e->H);
-    stiffness(e, material);
-    return e->modes ? condense(e) : STATUS_OK;
+    if (space->layer) {
+        st = solid_layer_place(e->green.layer, space, element, e->X);
+        e->rest.layer = solid_layer_placed(e->green.layer);
+    }
+    return e->modes ? solid_green_element_modes(&e->green, material, &e->rest, e->A) : st;
 }

@@ -1,7 +1,6 @@
 #include "models/solid/solid_green.h"
 
 #include <math.h>
-#include <omp.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -47,26 +46,20 @@ static void keep_layer(struct solid_green *s, const struct solid_layer *from, in
     memcpy((double *)rest.dV, from->dV, points * sizeof *rest.dV);
 }
 
-/* Copies the results of solid_element_compute on the rest shape. */
-static enum status keep_rest(struct solid_green *s, const struct solid_element *from,
-                             int element)
+/* Copies what solid_element_compute found on the rest shape. */
+static void keep_rest(struct solid_green *s, const struct solid_element *from, int element)
 {
-    struct solid_green_rest rest = rest_of(s, element);
-    double *g = (double *)rest.g, *dV = (double *)rest.dV, *mode = (double *)rest.mode;
-    int local = from->local, modes = from->modes;
+    const struct solid_green_rest rest = rest_of(s, element);
+    const size_t gauss = (size_t)from->gauss;
 
-    for (int q = 0; q < from->gauss; q++) {
-        dV[q] = from->dV[q];
-        for (int i = 0; i < 3; i++) {
-            const double *row = from->g + (q * 3 + i) * from->padded;
-            memcpy(g + (q * 3 + i) * from->row, row, (size_t)local * sizeof *g);
-            for (int m = 0; m < modes; m++)
-                mode[(q * modes + m) * 3 + i] = row[local + m];
-        }
-    }
-    return modes ? solid_green_element_modes(&s->work[0], &s->assembly->material, &rest,
-                                             (double *)rest.A)
-                 : STATUS_OK;
+    memcpy((double *)rest.g, from->g, gauss * 3 * (size_t)from->row * sizeof *from->g);
+    memcpy((double *)rest.dV, from->dV, gauss * sizeof *from->dV);
+    if (!from->modes)
+        return;
+    memcpy((double *)rest.mode, from->mode,
+           gauss * (size_t)from->modes * 3 * sizeof *from->mode);
+    memcpy((double *)rest.A, from->A,
+           SOLID_GREEN_INTERNAL * SOLID_GREEN_INTERNAL * sizeof *from->A);
 }
 
 /* Allocates the rest shape's data. */
@@ -84,8 +77,12 @@ static enum status make_room(struct solid_green *s, const struct solid_space *sp
         ROOM(s->points, layers * SOLID_KINDS * elements),
         ROOM(s->n, layers * points * SOLID_LAYER_VECTORS * 3),
         ROOM(s->mode, points * 3 * modes),
-        ROOM(s->A, modes ? elements * SOLID_GREEN_INTERNAL * SOLID_GREEN_INTERNAL : 0),
-        ROOM(s->work, omp_get_max_threads()));
+        ROOM(s->A, modes ? elements * SOLID_GREEN_INTERNAL * SOLID_GREEN_INTERNAL : 0));
+}
+
+static struct solid_green_element *room_of(const struct solid_green *s, int thread)
+{
+    return &s->assembly->work[thread].green;
 }
 
 static const int *nodes_of(const struct solid_space *space, int element)
@@ -118,7 +115,7 @@ static double *strain_of(const void *self, int thread, int element, const double
 {
     const struct solid_green *s = self;
     const struct solid_space *space = s->assembly->space;
-    struct solid_green_element *e = &s->work[thread];
+    struct solid_green_element *e = room_of(s, thread);
     const struct solid_green_rest rest = rest_of(s, element);
 
     gather(space, element, x, space->rest, e->U[0]);
@@ -134,7 +131,7 @@ static void set_geometry(const void *self, int thread, int element, const double
 {
     const struct solid_green *s = self;
     const struct solid_space *space = s->assembly->space;
-    struct solid_green_element *e = &s->work[thread];
+    struct solid_green_element *e = room_of(s, thread);
 
     memcpy(e->U[1], e->U[0], SOLID_LANES * (size_t)e->local * sizeof(double));
     if (share == 1)
@@ -147,7 +144,7 @@ static void set_geometry(const void *self, int thread, int element, const double
 static void add_force(const void *self, int thread, int element, double *force)
 {
     const struct solid_green *s = self;
-    struct solid_green_element *e = &s->work[thread];
+    struct solid_green_element *e = room_of(s, thread);
     const int *node = nodes_of(s->assembly->space, element);
     const struct solid_green_rest rest = rest_of(s, element);
 
@@ -163,34 +160,18 @@ static void add_force(const void *self, int thread, int element, double *force)
 static void add_tangent(const void *self, int thread, int element,
                         const struct large_path *path, double (*K)[9])
 {
-    const struct solid_assembly *s = ((const struct solid_green *)self)->assembly;
-    struct solid_green_element *e = &((const struct solid_green *)self)->work[thread];
-    const struct solid_green_rest rest = rest_of(self, element);
-    int local = e->local, run = s->run, runs = local / run;
-    const int *place = s->place + (size_t)element * (size_t)(local * runs);
-    double stress_share = path->s1 + path->lag;
+    const struct solid_green *s = self;
+    const struct solid_green_rest rest = rest_of(s, element);
 
-    if (e->layer)
-        solid_green_layer_stiffness(e, &s->material, &rest.layer, path->g1);
-    else
-        solid_green_element_stiffness(e, &s->material, &rest, stress_share, path->g1);
-    for (int a = 0; a < local; a++)
-        for (int r = a / run; r < runs; r++) {
-            int first = r * run > a ? r * run : a;
-            double(*to)[9] = K + place[a * runs + r];
-            if (e->layer)
-                solid_green_layer_blocks(e, stress_share, a, first, (r + 1) * run, to);
-            else
-                solid_green_element_blocks(e, &s->material, stress_share, a, first,
-                                           (r + 1) * run, to);
-        }
+    solid_assembly_add(s->assembly, room_of(s, thread), &rest, element,
+                       path->s1 + path->lag, path->g1, K);
 }
 
 enum status solid_green_energy(const void *self, const double *x, double *energy)
 {
     const struct solid_green *s = self;
     const struct solid_assembly *a = s->assembly;
-    struct solid_green_element *e = &s->work[0];
+    struct solid_green_element *e = room_of(s, 0);
 
     *energy = 0;
     for (int n = 0; n < a->space->elements; n++) {
@@ -214,7 +195,7 @@ static struct large_body body_of(const struct solid_green *s)
     return (struct large_body){.self = s,
                                .nodes = space->nodes,
                                .slabs = space->slabs,
-                               .threads = s->threads,
+                               .threads = s->assembly->threads,
                                .slab = space->slab,
                                .pairs = graph->start[graph->nodes],
                                .strains = strains,
@@ -228,8 +209,6 @@ static struct large_body body_of(const struct solid_green *s)
 
 void solid_green_clear(struct solid_green *s)
 {
-    for (int t = 0; t < s->threads; t++)
-        solid_green_element_clear(&s->work[t]);
     free(s->room);
     memset(s, 0, sizeof *s);
 }
@@ -241,15 +220,13 @@ enum status solid_green_init(struct solid_green *s, const struct solid_assembly 
     struct solid_green new = {.assembly = assembly};
 
     TRY(make_room(&new, space));
-    for (; new.threads < omp_get_max_threads(); new.threads++)
-        TRY(solid_green_element_init(&new.work[new.threads], space));
     for (int e = 0; e < space->elements; e++) {
         TRY(solid_element_compute(&assembly->work[0], space, e, &assembly->material,
                                   space->rest));
         if (space->layer)
-            keep_layer(&new, assembly->work[0].layer, e);
+            keep_layer(&new, assembly->work[0].green.layer, e);
         else
-            TRY(keep_rest(&new, &assembly->work[0], e));
+            keep_rest(&new, &assembly->work[0], e);
     }
     *s = new;
     s->body = body_of(s);

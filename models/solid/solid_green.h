@@ -11,7 +11,6 @@
 
 #include "models/mechanics/large_body.h"
 #include "models/solid/solid_assembly.h"
-#include "models/solid/solid_green_element.h"
 
 struct solid_green {
     const struct solid_assembly *assembly; /* pattern, places, material      borrowed  */
@@ -24,8 +23,6 @@ struct solid_green {
     double *n;    /* of a layer, or NULL                                               */
     double *mode; /* [elements][gauss][modes][3] or NULL                               */
     double *A;    /* [elements][INTERNAL][INTERNAL] or NULL                            */
-    int threads;
-    struct solid_green_element *work; /* [threads]                                     */
 };
 
 /* Prepares; `assembly` and *s must stay where they are until solid_green_clear.

@@ -302,15 +302,17 @@ static void add_symmetric(struct solid_green_element *e, const double *g, const 
 /* Computes Y = L^-1 of the modes' coupling with the functions, A = L L^T. */
 static void couple_modes(struct solid_green_element *e,
                          const struct solid_material *material,
-                         const struct solid_green_rest *rest)
+                         const struct solid_green_rest *rest, bool moved)
 {
     int n = 3 * e->modes, columns = 3 * e->row;
-    double F[3][3], S[6], P[3][3], column[SOLID_GREEN_INTERNAL];
+    double F[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, S[6], P[3][3],
+           column[SOLID_GREEN_INTERNAL];
 
     memset(e->Y, 0, (size_t)(n * columns) * sizeof *e->Y);
     for (int q = 0; q < e->gauss; q++) {
         const double *g = gradients_at(e, rest, q);
-        deformation(e, g, F);
+        if (moved)
+            deformation(e, g, F);
         for (int s = 0; s < n; s++) {
             mode_stress(mode_at(e, rest, q, s / 3), s % 3, material, S);
             for (int i = 0; i < 3; i++)
@@ -332,10 +334,10 @@ static void couple_modes(struct solid_green_element *e,
     }
 }
 
-void solid_green_element_stiffness(struct solid_green_element *e,
-                                   const struct solid_material *material,
-                                   const struct solid_green_rest *rest, double stress_share,
-                                   double geometry_share)
+/* Fills C and H on the moved geometry. */
+static void stiffen(struct solid_green_element *e, const struct solid_material *material,
+                    const struct solid_green_rest *rest, double stress_share,
+                    double geometry_share)
 {
     size_t row = (size_t)e->row;
 
@@ -361,8 +363,54 @@ void solid_green_element_stiffness(struct solid_green_element *e,
         add_symmetric(e, g, B);
     }
     solid_outer(e->local, e->row, e->gauss, e->wp, e->p, e->H);
+}
+
+/* Fills C and H at rest, where what is symmetric is the trace of H. */
+static void stiffen_rest(struct solid_green_element *e, double mu,
+                         const struct solid_green_rest *rest)
+{
+    const int row = e->row;
+
+    for (int q = 0; q < e->gauss; q++)
+        for (int n = 0; n < 3 * row; n += SOLID_LANES)
+            *(lanes *)(e->wp + q * 3 * row + n) =
+                rest->dV[q] * *(const lanes *)(rest->g + q * 3 * row + n);
+    solid_outer(e->local, row, e->gauss, e->wp, rest->g, e->H);
+    for (int a = 0; a < e->local; a++)
+        for (int b = a / SOLID_LANES * SOLID_LANES; b < row; b += SOLID_LANES) {
+            const lanes *H = (const lanes *)(e->H + a * 9 * row + b);
+            lanes *C = (lanes *)(e->C + a * 6 * row + b);
+            const int next = row / SOLID_LANES;
+            C[0] = C[next] = C[2 * next] = mu * (H[0] + H[4 * next] + H[8 * next]);
+            C[3 * next] = C[4 * next] = C[5 * next] = (lanes){0};
+        }
+}
+
+void solid_green_element_stiffness(struct solid_green_element *e,
+                                   const struct solid_material *material,
+                                   const struct solid_green_rest *rest, double stress_share,
+                                   double geometry_share)
+{
+    const bool moved = geometry_share > 0;
+
+    if (moved)
+        stiffen(e, material, rest, stress_share, geometry_share);
+    else
+        stiffen_rest(e, stress_share * material->mu, rest);
     if (e->modes)
-        couple_modes(e, material, rest);
+        couple_modes(e, material, rest, moved);
+}
+
+/* Subtracts the internal modes' part of K_ab from k. */
+static inline void subtract_modes(const struct solid_green_element *e, double share, int a,
+                                  int b, double k[9])
+{
+    for (int s = 0; s < 3 * e->modes; s++) {
+        const double *Y = e->Y + s * 3 * e->row, *y = Y + 3 * b;
+        for (int i = 0; i < 3; i++)
+            for (int j = 0; j < 3; j++)
+                k[3 * i + j] -= share * Y[3 * a + i] * y[j];
+    }
 }
 
 void solid_green_element_blocks(const struct solid_green_element *e,
@@ -372,15 +420,22 @@ void solid_green_element_blocks(const struct solid_green_element *e,
     const double *H = e->H + (size_t)a * 9 * (size_t)e->row;
     const double *C = e->C + (size_t)a * 6 * (size_t)e->row;
     double mu = stress_share * material->mu, lambda = stress_share * material->lambda;
-    int n = 3 * e->row;
 
-    for (int b = first; b < last; b++)
-        for (int i = 0; i < 3; i++)
-            for (int j = 0; j < 3; j++) {
-                double k = lambda * H[(3 * i + j) * e->row + b] +
-                           mu * H[(3 * j + i) * e->row + b] + C[PLACE[i][j] * e->row + b];
-                for (int s = 0; s < 3 * e->modes; s++)
-                    k -= stress_share * e->Y[s * n + 3 * a + i] * e->Y[s * n + 3 * b + j];
-                K[b - first][3 * i + j] += k;
-            }
+    for (int c = first / SOLID_LANES * SOLID_LANES; c < last; c += SOLID_LANES) {
+        lanes k[9];
+        for (int t = 0; t < 9; t++) { /* 3 i + j and its transpose 3 j + i */
+            const int i = t / 3, j = t % 3;
+            k[t] = lambda * *(const lanes *)(H + t * e->row + c) +
+                   mu * *(const lanes *)(H + (3 * j + i) * e->row + c) +
+                   *(const lanes *)(C + PLACE[i][j] * e->row + c);
+        }
+        for (int b = first > c ? first : c; b < last && b < c + SOLID_LANES; b++) {
+            double sum[9];
+            for (int t = 0; t < 9; t++)
+                sum[t] = k[t][b - c];
+            subtract_modes(e, stress_share, a, b, sum);
+            for (int t = 0; t < 9; t++)
+                K[b - first][t] += sum[t];
+        }
+    }
 }

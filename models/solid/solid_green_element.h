@@ -76,8 +76,8 @@ void solid_green_element_force(struct solid_green_element *e,
                                const struct solid_green_rest *rest);
 
 /* Computes the tangent on the geometry e->U[1]: stress_share times the material part and
- * geometry_share times the geometric part with the stress of e->strain. Kept in *e for
- * solid_green_element_blocks. */
+ * geometry_share times the geometric part with the stress of e->strain; geometry_share 0:
+ * at rest instead, whatever e->U[1] is. Kept in *e for solid_green_element_blocks. */
 void solid_green_element_stiffness(struct solid_green_element *e,
                                    const struct solid_material *material,
                                    const struct solid_green_rest *rest, double stress_share,

@@ -184,11 +184,15 @@ void solid_green_layer_stiffness(struct solid_green_element *e,
         const enum solid_strains kind = solid_layer_kind(rest->points, n);
         double c[VECTORS][3], A[VECTORS][VECTORS], stress[SOLID_LAYER_STRAINS];
 
-        moved(e, rest, n, c);
-        solid_layer_stress(material, kind, geometry_share * rest->dV[n], strain + strains,
-                           stress);
-        couple(kind, stress, A);
-        add_geometric(e, rows_at(e, rest, n), A);
+        if (geometry_share > 0) {
+            moved(e, rest, n, c);
+            solid_layer_stress(material, kind, geometry_share * rest->dV[n],
+                               strain + strains, stress);
+            couple(kind, stress, A);
+            add_geometric(e, rows_at(e, rest, n), A);
+        } else { /* at rest */
+            memcpy(c, rest->t + (size_t)n * VECTORS * 3, sizeof c);
+        }
         strains += solid_layer_vary(e->layer, rest, n, c, material, strains);
     }
     solid_outer(e->local, e->row, strains, e->layer->wb, e->layer->b, e->H);

@@ -38,8 +38,6 @@ static enum status make_march(struct spring_motion *m, struct message *why)
                squares = in_squares(m),
                swept = grid && m->integrator == INTEGRATOR_LEAPFROG;
 
-    if (m->integrator == INTEGRATOR_EXPLICIT)
-        d.integrator = INTEGRATOR_LEAPFROG;
     if (!in_squares(m)) {
         d.newton = NEWTON_FULL; /* a tangent costs no more than two of its solutions */
         if (d.solver == SOLVER_AUTO)
@@ -49,7 +47,7 @@ static enum status make_march(struct spring_motion *m, struct message *why)
         : grid   ? spring_strips_init(&m->strips, &m->stencil)
                  : tri_shell_init(&m->shell, m->net.scene, &m->net.mesh, MEMBRANE_SPRINGS,
                                   BENDING_QUADRATIC, false));
-    if (d.integrator == INTEGRATOR_LEAPFROG)
+    if (march_explicit(&d))
         mesh_weigh_edges(&m->net.mesh, m->net.scene->density * m->net.scene->thickness,
                          m->net.mass);
     m->swept = (struct spring_body){.net = &m->net, .stencil = &m->stencil};

@@ -482,7 +482,7 @@ static enum status make_masses(struct shell *m, const struct discretization *d,
     const size_t pairs = (size_t)graph->start[graph->nodes];
     enum status st;
 
-    if (!lumped_mass_wanted(d) || m->supports.moving || contact_wanted(m->scene))
+    if (!march_explicit(d) || m->supports.moving || contact_wanted(m->scene))
         return lumped_mass_make(d, graph, m->assembly.M, why);
     TRY(room_cut(&m->room, ROOM(m->beyond, pairs), ROOM(m->lumped, pairs)));
     TRY(shell_mass_beyond(&m->space, graph, &m->supports, m->assembly.M, m->lumped,

@@ -48,7 +48,7 @@ static enum status build(struct tri_motion *m, const struct scene *scene,
     if (m->meshed) {
         TRY(tri_shell_init(&m->shell, scene, &m->net.mesh, OWN(tri_own, d)->membrane,
                            d->bending, OWN(tri_own, d)->arc == TRI_ARC_ON));
-        if (d->integrator == INTEGRATOR_LEAPFROG)
+        if (march_explicit(d))
             mesh_weigh_edges(&m->net.mesh, scene->density * scene->thickness, m->net.mass);
     } else {
         TRY(tri_net_init(&m->triangles, scene, &m->net.mesh, d->bending));
@@ -98,7 +98,7 @@ static enum status weigh_turns(struct tri_motion *m, bool on)
     const struct scene *scene = m->net.scene;
     double *mass = NULL, *M = (double *)m->march.M; /* made by march_init */
 
-    if (!m->meshed || m->asked.integrator == INTEGRATOR_LEAPFROG)
+    if (!m->meshed || march_explicit(&m->asked))
         return STATUS_OK;
     if (!(mass = calloc((size_t)mesh->nodes, sizeof *mass)))
         return STATUS_MEMORY;

@@ -2,10 +2,7 @@
 
 #include <stdlib.h>
 
-bool lumped_mass_wanted(const struct discretization *d)
-{
-    return d->integrator == INTEGRATOR_LEAPFROG;
-}
+#include "models/mechanics/march.h"
 
 enum status lumped_mass_make(const struct discretization *d, const struct blocks *graph,
                              double *M, struct message *why)
@@ -13,7 +10,7 @@ enum status lumped_mass_make(const struct discretization *d, const struct blocks
     enum status st = STATUS_OK;
     double *sum = NULL;
 
-    if (!lumped_mass_wanted(d))
+    if (!march_explicit(d))
         return STATUS_OK;
     sum = calloc((size_t)graph->nodes + 1, sizeof *sum);
     if (!sum)

@@ -6,10 +6,7 @@
 #include "models/discretization.h"
 #include "models/linalg/blocks.h"
 
-/* Tells whether d needs row sums: leapfrog steps do. */
-bool lumped_mass_wanted(const struct discretization *d);
-
-/* Replaces M[pairs] by row sums if d needs them, on the diagonal, zero elsewhere.
+/* Replaces M[pairs] by row sums if d's steps are explicit, on the diagonal, zero elsewhere.
  * STATUS_UNSUPPORTED with a sentence where one is not positive. */
 enum status lumped_mass_make(const struct discretization *d, const struct blocks *graph,
                              double *M, struct message *why);

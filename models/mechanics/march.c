@@ -24,6 +24,11 @@ static const struct march_integrator *integrator_of(const struct discretization 
                                                  : &integrator_printed;
 }
 
+bool march_explicit(const struct discretization *d)
+{
+    return integrator_of(d)->explicit;
+}
+
 static size_t count_of(const struct march *m)
 {
     return 3 * (size_t)m->graph->nodes;

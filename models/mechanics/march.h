@@ -148,6 +148,9 @@ extern const struct march_integrator integrator_newmark, integrator_printed;
     extern const struct march_integrator integrator_##file;
 INTEGRATORS(MARCH_DECLARE)
 
+/* Tells whether the scheme asked for is explicit. */
+bool march_explicit(const struct discretization *d);
+
 /* The viscosity of bodies that need one. */
 extern const double march_lag;
 

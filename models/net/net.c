@@ -161,8 +161,7 @@ enum status net_march(struct net *net, struct march *m, const struct discretizat
     m->euler = d->integrator == INTEGRATOR_IMPLICIT;
     m->lag = m->euler ? 0 : march_lag;
     m->enough = m->euler ? d->iterations : 0;
-    m->substeps =
-        d->integrator == INTEGRATOR_LEAPFROG ? 1 : d->substeps; /* divides by itself */
+    m->substeps = march_explicit(d) ? 1 : d->substeps; /* divides by itself */
     return march_init(m, d, why);
 }
 

@@ -51,7 +51,7 @@ enum status solid_model_basis(const struct scene *scene, const struct discretiza
     const enum supports_columns columns = supports_columns(scene);
     const bool served =
         columns == SUPPORTS_WHOLE || (columns == SUPPORTS_HINGED && d->points[2] == 2);
-    const bool lumped = lumped_mass_wanted(d);
+    const bool lumped = march_explicit(d);
     const bool can = possible && served && !lumped;
 
     if (d->unknowns == UNKNOWNS_THICKNESS && lumped)

@@ -52,6 +52,7 @@ struct judged {
     double load;              /* on that plate [N/m^2]                             */
     struct energy *energies;  /* [frames of the scene + 1]                         */
     struct truth *truth;      /* the finer shell's                           owned */
+    FILE *mesh;               /* the case's own, NULL: none                    owned */
     struct touched touched;   /* of the judges of contact                          */
     struct intersection work; /* of the same                                 owned */
 };
@@ -116,6 +117,31 @@ static enum status give_needles(struct scene *s, int count, struct message *why)
         s, &(struct discretization){.kinematics = KINEMATICS_NONLINEAR}, why);
 out:
     return st;
+}
+
+/* Gives a mesh whose triangles all meet in the middle of the sheet, as a file. */
+static enum status give_fan(struct judged *r)
+{
+    static const int corner[][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}};
+    const int count = r->c->valence;
+    char path[32];
+
+    if (!(r->mesh = tmpfile()))
+        return status_fail(r->why, STATUS_FILE, "no temporary file can be made");
+    fprintf(r->mesh, "v 0.5 0.5 0\n");
+    for (int n = 0; n < count; n++) {
+        const int *a = corner[4 * n / count], *b = a + 2;
+        const double part = (double)(4 * n % count) / count;
+        fprintf(r->mesh, "v %.17g %.17g 0\n", a[0] + part * (b[0] - a[0]),
+                a[1] + part * (b[1] - a[1]));
+    }
+    for (int n = 0; n < count; n++)
+        fprintf(r->mesh, "f 1 %d %d\n", n + 2, (n + 1) % count + 2);
+    fflush(r->mesh);
+    snprintf(path, sizeof path, "/dev/fd/%d", fileno(r->mesh));
+    free(r->run.discretization.mesh);
+    r->run.discretization.mesh = strdup(path);
+    return r->run.discretization.mesh ? STATUS_OK : STATUS_MEMORY;
 }
 
 /* Reads the case's scene and the contestant's numerics, E from Gamma; errors as run_read.
@@ -630,6 +656,8 @@ void stress_add_row(struct verify_subject *s)
     r.xyz = arena_take(&s->sheet->arena, (size_t)2 * 3 * GRID_POINTS, sizeof *r.xyz);
     r.first = r.xyz + 3 * GRID_POINTS;
     TRY(read_run(&r, &r.run, &said));
+    if (c->valence)
+        TRY(give_fan(&r));
     TRY(run_build(&r.run, &said));
     st = judge(&r);
 out:
@@ -637,6 +665,8 @@ out:
     kirchhoff_destroy(r.plate);
     truth_destroy(r.truth);
     run_close(&r.run);
+    if (r.mesh)
+        fclose(r.mesh);
     intersection_clear(&r.work);
     end_row(&r, st);
 }
@@ -757,6 +787,9 @@ CASE(slivers, "a mesh of triangles 100 times as long as wide", REST, THICK("1e-2
      MESHED("diagonal", "[201,3]"));
 CASE(two_triangles, "a mesh of two triangles", REST, THICK("1e-2"),
      MESHED("diagonal", "[2,2]"));
+CASE(valence_20, "a mesh of triangles of which 20 meet at a point", REST, THICK("1e-2"),
+     .numerics = {"discretization.mesh=diagonal", "discretization.refine=3"},
+     .valence = 20);
 CASE(many_triangles, "an irregular mesh of 200,000 triangles", STILL,
      MESHED("irregular", "[318,318]"),
      .physics = {"gravity=[0,0,0]", "time={step: 0.005, end: 0.01}"});
@@ -919,9 +952,9 @@ CASE(flat_triangle, "one of them with its corners on a line", TOUCH, ONTO_NEEDLE
     X(thin_2), X(thin_3), X(thin_4), X(thin_5), X(poisson_0), X(poisson_049),              \
         X(poisson_04999), X(narrow), X(wide), X(one_element), X(graded_knots),             \
         X(repeated_knots), X(torn_knots), X(folded_knots), X(skewed_weights), X(slivers),  \
-        X(two_triangles), X(many_triangles), X(gamma_8), X(gamma_1000), X(gamma_100000),   \
-        X(step_small), X(step_large), X(millimetres), X(inches), X(soft), X(stiff),        \
-        X(swing_10000), X(violent_drop), X(spinning_bar), X(buckling), X(still),           \
+        X(two_triangles), X(valence_20), X(many_triangles), X(gamma_8), X(gamma_1000),     \
+        X(gamma_100000), X(step_small), X(step_large), X(millimetres), X(inches), X(soft), \
+        X(stiff), X(swing_10000), X(violent_drop), X(spinning_bar), X(buckling), X(still), \
         X(rest_start), X(thrown), X(two_corners), X(touching), X(overlapping),             \
         X(coplanar), X(closing), X(crushed), X(stopping), X(struck), X(thrown_at_ball),    \
         X(pressed_fold), X(thick_contact), X(friction_0), X(friction_5), X(needles),       \

@@ -38,6 +38,7 @@ struct stress_case {
     double weight_ratio; /* NURBS weights: of every other row to the rest; 0: none        */
     int needles;         /* triangles of a double cone under the sheet; 0: no such body;
                             negative: as many, and one whose corners are on a line        */
+    int valence;         /* of the middle of a mesh of as many triangles; 0: no such mesh */
     double length, mass, time; /* similar: the other units in ours [m], [kg], [s]         */
 };
 

@@ -62,6 +62,15 @@ void looks_add(struct looks *l, const struct scene *scene, double time, const do
     l->energy[n] = (struct energy){NAN, NAN, NAN};
 }
 
+void looks_recount(struct looks *l, const struct scene *scene, const double *xyz)
+{
+    double *found = l->series[LOOKS_INTERSECTIONS];
+    const int last = l->count - 1;
+
+    if (last >= 0 && found[last] == 0)
+        found[last] = metric_intersections(scene, xyz);
+}
+
 /* Returns the largest of the numbers that exist; NaN if none does. */
 static double largest(int count, const double *value)
 {

@@ -50,6 +50,10 @@ void looks_clear(struct looks *looks); /* all-zero is allowed */
 void looks_add(struct looks *looks, const struct scene *scene, double time,
                const double *xyz, bool intersections);
 
+/* Counts the crossings of the last look, measured on the field xyz, on the whole grid, if
+ * they were counted and none was found: so many as users are told at the end of a run. */
+void looks_recount(struct looks *looks, const struct scene *scene, const double *xyz);
+
 /* A sweep stores these beside the series, at the looks at which a truth is known: the rms
  * distance to it and its error bar, both over the length; NaN at other looks. */
 enum { LOOKS_TRUTH_ERROR, LOOKS_TRUTH_BAR, LOOKS_TRUTH };

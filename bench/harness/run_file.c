@@ -232,6 +232,7 @@ enum status run_file_end(struct run_file *f, struct message *why)
         return st;
     if (f->waits)
         st = take(f, true, why);
+    looks_recount(&f->looks, &f->run->scene, f->before);
     if (f->run->state)
         f->run->model->size(f->run->state, &f->size);
     if (f->run->state && f->run->model->doubt)

@@ -198,6 +198,34 @@ static void test_crossing(void)
     end();
 }
 
+/* A crossing between the points of looks is found at the end, where crossings are counted.
+ */
+static void test_recount(void)
+{
+    static const double fold[4][2] = {{51.5, 0}, {51.5, 1}, {50, 1}, {50, -1}};
+    double *xyz = calloc(3 * GRID_POINTS, sizeof *xyz);
+
+    begin();
+    REQUIRE(xyz);
+    for (int n = 0; n < GRID_POINTS; n++) {
+        const int i = n / GRID_V % GRID_U, j = n % GRID_V;
+        const bool folded = i >= 50 && i < 54;
+        xyz[3 * n] = 1e-3 * (folded ? fold[i - 50][0] : i);
+        xyz[3 * n + 1] = 1e-3 * j;
+        xyz[3 * n + 2] = 1e-3 * (folded ? fold[i - 50][1] : 0);
+    }
+    for (int counted = 0; counted < 2; counted++) {
+        looks.count = 0;
+        looks_add(&looks, &sheet, 0, xyz, counted);
+        looks_recount(&looks, &sheet, xyz);
+        const double found = looks.series[LOOKS_INTERSECTIONS][0];
+        CHECK(counted ? found > 0 && found == metric_intersections(&sheet, xyz)
+                      : isnan(found));
+    }
+    free(xyz);
+    end();
+}
+
 /* The largest distance to a truth, the last one that there is, and the bar beside it. */
 static void test_truth(void)
 {
@@ -339,6 +367,7 @@ int main(void)
     test_moving();
     test_energy();
     test_crossing();
+    test_recount();
     test_truth();
     test_words();
     test_derived_keys();

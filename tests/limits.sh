@@ -109,6 +109,7 @@ ends 2 "no scene 'edge_dorp'; did you mean 'edge_drop'?" "$program" run edge_dor
 ends 2 "did you mean '--model'?" "$program" run edge_drop --modle iga
 ends 2 "did you mean 'shell_linear'?" "$program" run edge_drop --model shell_liner
 ends 2 'these models have it: iga, shell' "$program" run drape --model triangles
+ends 2 "there is no check 'navire'; did you mean 'navier'?" "$program" verify navire
 ends 2 "there is no command 'swep'; did you mean 'sweep'?" "$program" swep
 for command in 'run edge_drop' 'truth free_fall'; do
     # shellcheck disable=SC2086 # words

@@ -9,7 +9,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include "models/reader/csv.h"
+#include "bench/data/printer.h"
 #include "bench/files/folder.h"
 #include "bench/files/output.h"
 #include "bench/files/provenance.h"
@@ -17,7 +17,8 @@
 #include "bench/harness/pool.h"
 #include "bench/ui/progress.h"
 #include "bench/ui/show.h"
-#include "bench/data/printer.h"
+#include "models/reader/csv.h"
+#include "models/reader/near.h"
 
 /* Statics first, then motions, then outside programs and stored truths. */
 #define CHECKS(X)                                                                          \
@@ -207,12 +208,18 @@ static enum status choose(struct job *job, const struct command_line *line,
                            job->set->command, job->folder);
     for (int n = 0, i; n < line->word_count; n++) {
         const struct verify_check *check = NULL;
-        for (i = 0; known[i] && !check; i++)
+        struct near near = near_start(line->words[n]);
+        char meant[80];
+        for (i = 0; known[i] && !check; i++) {
+            near_try(&near, known[i]->item.name);
             if (!strcmp(known[i]->item.name, line->words[n]))
                 check = known[i];
+        }
         if (!check)
-            return status_fail(why, STATUS_INPUT, "%s: there is no %s '%s'; there are %s",
-                               job->set->command, job->set->item, line->words[n], names);
+            return status_fail(why, STATUS_INPUT, "%s: there is no %s '%s'%s%s",
+                               job->set->command, job->set->item, line->words[n],
+                               near.best ? near_text(&near, meant) : "; there are ",
+                               near.best ? "" : names);
         if (job->read_only && !is_due(job, check))
             return status_fail(why, STATUS_INPUT, "%s: %s has no results of %s",
                                job->set->command, job->folder, check->item.name);

@@ -699,10 +699,10 @@ static enum status run(struct command_line *line, struct message *why)
 {
     const char *given = NULL, *from;
     const struct contest *contests[MOST_SCENES];
-    struct compare_job *jobs = calloc(MOST_SCENES, sizeof *jobs);
-    enum status st = jobs ? STATUS_OK : STATUS_MEMORY;
+    struct arena arena = {0};
+    struct compare_job *jobs = arena_take(&arena, MOST_SCENES, sizeof *jobs);
+    enum status st;
 
-    TRY(st);
     TRY(command_folder(line, &given, &from, why));
     TRY(prepare_all(line, jobs, why));
     for (int n = 0; n < line->word_count; n++) {
@@ -713,9 +713,9 @@ static enum status run(struct command_line *line, struct message *why)
     if (line->word_count > 1)
         TRY(league_print(line->word_count, contests, &line->printer, why));
 out:
-    for (int n = 0; jobs && n < MOST_SCENES; n++)
+    for (int n = 0; n < MOST_SCENES; n++)
         compare_job_close(&jobs[n]);
-    free(jobs);
+    arena_clear(&arena);
     return st;
 }
 

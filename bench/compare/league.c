@@ -1,7 +1,6 @@
 #include "bench/compare/league.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 /* The error over the length that is compared where the truth is known to it. */
 static const double USUAL = 0.01;
@@ -110,10 +109,9 @@ static void note_winner(struct dataset *t, const struct contest *c)
 static enum status print_people(int count, const struct contest *const *contests,
                                 struct printer *p, struct message *why)
 {
-    struct dataset_column *columns = calloc((size_t)count + 1, sizeof *columns);
+    struct arena own = {0};
+    struct dataset_column *columns = arena_take(&own, (size_t)count + 1, sizeof *columns);
 
-    if (!columns)
-        return STATUS_MEMORY;
     columns[0] = (struct dataset_column){"model"};
     for (int s = 0; s < count; s++)
         columns[s + 1] = (struct dataset_column){contests[s]->scene->name, "s"};
@@ -121,7 +119,7 @@ static enum status print_people(int count, const struct contest *const *contests
         count + 1, columns,
         "Least seconds (set-up and stepping) to the error of each scene, RMSE/L at the "
         "worst of its times; in brackets the lowest error where that is not reached");
-    free(columns);
+    arena_clear(&own);
     for (const struct contestant *who = contestant_table; who->name; who++) {
         bool somewhere = false;
         for (int s = 0; s < count; s++)

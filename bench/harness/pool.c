@@ -3,9 +3,9 @@
 #include <assert.h>
 #include <signal.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <time.h>
 
+#include "bench/files/arena.h"
 #include "bench/ui/progress.h"
 #include "models/clock.h"
 
@@ -70,7 +70,8 @@ static enum status start(struct slot *slot, long job, struct message *why)
 struct work {
     struct pool *pool;
     struct slot *slots;
-    bool *busy; /* [ranks] */
+    bool *busy;         /* [ranks] */
+    struct arena arena; /* of both                                              owned */
     long next, running;
     struct progress progress;
 };
@@ -84,9 +85,8 @@ static enum status start_work(struct work *w, struct pool *pool)
     *w = (struct work){.pool = pool};
     for (long n = 0; n < pool->count; n++)
         todo += !pool->done || !pool->done[n];
-    w->slots = calloc((size_t)pool->slots, sizeof *w->slots);
-    w->busy = calloc((size_t)ranks, sizeof *w->busy);
-    TRY(w->slots && w->busy ? STATUS_OK : STATUS_MEMORY);
+    w->slots = arena_take(&w->arena, (size_t)pool->slots, sizeof *w->slots);
+    w->busy = arena_take(&w->arena, (size_t)ranks, sizeof *w->busy);
     for (int n = 0; n < pool->slots; n++) {
         w->slots[n].pool = pool;
         TRY(child_init(&w->slots[n].child));
@@ -100,10 +100,9 @@ out:
 static void end_work(struct work *w)
 {
     progress_end(&w->progress);
-    for (int n = 0; w->slots && n < w->pool->slots; n++)
+    for (int n = 0; n < w->pool->slots; n++)
         child_clear(&w->slots[n].child);
-    free(w->slots);
-    free(w->busy);
+    arena_clear(&w->arena);
 }
 
 /* Returns the next job to be done, -1 if there is none. */

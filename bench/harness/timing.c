@@ -4,7 +4,6 @@
 #include <math.h>
 #include <omp.h>
 #include <sched.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "bench/harness/motion.h"

@@ -228,10 +228,9 @@ enum status describe_state(const struct run *run, double t, FILE *file)
     const struct scene *scene = &run->scene;
     struct energy energy = {NAN, NAN, NAN}; /* of a model that has no such energy */
     char caption[64];
-    double *xyz = malloc(GRID_POINTS * 3 * sizeof *xyz);
+    struct arena own = {0};
+    double *xyz = arena_take(&own, GRID_POINTS * 3, sizeof *xyz);
 
-    if (!xyz)
-        return STATUS_MEMORY;
     model_sample(run->model, run->state, xyz);
     if (run->model->energy)
         run->model->energy(run->state, &energy);
@@ -253,7 +252,7 @@ enum status describe_state(const struct run *run, double t, FILE *file)
         {"elastic energy", energy.elastic, "J"},
         {"potential energy", energy.potential, "J"},
     };
-    free(xyz);
+    arena_clear(&own);
     snprintf(caption, sizeof caption, "At t = %g s:", t);
     struct dataset *table = dataset_create(3, columns, caption);
     for (size_t n = 0; n < sizeof row / sizeof *row; n++) {

@@ -17,25 +17,22 @@
  * point and frame. */
 struct probe {
     int count;
-    double *uvw, *xyz; /* [count][3] owned */
-    bool begun;        /* the line of keys is printed */
+    double *uvw, *xyz;  /* [count][3] */
+    bool begun;         /* the line of keys is printed */
+    struct arena arena; /* of both                                              owned */
 };
 
 static void probe_clear(struct probe *p)
 {
-    free(p->uvw);
-    free(p->xyz);
+    arena_clear(&p->arena);
 }
 
 static enum status probe_init(struct probe *p, int count, const char *const *texts,
                               struct message *why)
 {
-    const size_t numbers = (size_t)(3 * count + 1);
-
-    *p = (struct probe){count, calloc(numbers, sizeof *p->uvw),
-                        calloc(numbers, sizeof *p->xyz), false};
-    if (!p->uvw || !p->xyz)
-        return STATUS_MEMORY;
+    *p = (struct probe){count};
+    p->uvw = arena_take(&p->arena, 3 * (size_t)count, sizeof *p->uvw);
+    p->xyz = arena_take(&p->arena, 3 * (size_t)count, sizeof *p->xyz);
     for (int n = 0; n < count; n++) {
         double *x = p->uvw + 3 * n;
         char more;
@@ -141,10 +138,12 @@ static enum status read_scene(struct job *j, const struct command_line *line,
 {
     enum status st = STATUS_OK;
     int given;
+    char *path = NULL;
     const char *const *set = command_values(line, "--set", &given);
 
     settings_set_all(&j->c.settings, given, set);
-    TRY(scene_file_find(line->words[0], (char **)&j->c.path, why));
+    TRY(scene_file_find(line->words[0], &path, why));
+    j->c.path = arena_keep(&j->c.settings.arena, path);
     TRY(run_read(&j->run, &j->c, why));
     if (j->settled && j->run.discretization.kinematics != KINEMATICS_NONLINEAR)
         TRY(status_fail(why, STATUS_INPUT,
@@ -332,8 +331,7 @@ out:
     run_file_discard(j.file);
     run_close(&j.run);
     probe_clear(&j.probe);
-    settings_clear(&j.c.settings);
-    free((char *)j.c.path);
+    case_clear(&j.c);
     return st;
 }
 

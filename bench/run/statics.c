@@ -151,11 +151,10 @@ enum status statics_modes(struct run *run, int count, bool settled, struct print
     static const struct dataset_column columns[] = {
         {"mode"}, {"omega", "rad/s"}, {"frequency", "Hz"}, {"lambda", "1"}};
     enum status st = STATUS_OK;
-    double *omega = malloc((size_t)count * sizeof *omega);
+    struct arena own = {0};
+    double *omega = arena_take(&own, (size_t)count, sizeof *omega);
     struct dataset *t;
 
-    if (!omega)
-        return STATUS_MEMORY;
     TRY(run_modes(run, count, omega, why));
     t = dataset_create(4, columns,
                        settled ? "Natural frequencies about static equilibrium"
@@ -167,7 +166,7 @@ enum status statics_modes(struct run *run, int count, bool settled, struct print
         add_stability(t, &run->scene, count, omega);
     st = printer_table(p, t, NULL, why);
 out:
-    free(omega);
+    arena_clear(&own);
     return st;
 }
 

@@ -50,7 +50,8 @@ enum what { STEP, KEPT, AGAIN, EVERY_PAIR, MOVING, WHATS };
 struct net {
     const struct shape *shape;
     int side;
-    double *x, *line;
+    double *x, *line; /* in the arena                                                   */
+    struct arena *arena;
     struct contact_surface surface;
     struct contact_search search, plain; /* by the tree; of every pair                   */
     struct spring_sweep *sweep;
@@ -113,10 +114,9 @@ static enum status make_sweep(struct net *net)
     const int count = net->side * net->side;
     const struct spring_sweep_plan plan = {
         .n = net->side, .m = net->side, .sheet = net->side, .precision = PRECISION_DOUBLE};
-    double(*c)[SWEEP_COUNT] = calloc((size_t)count, sizeof *c);
-    enum status st = c ? STATUS_OK : STATUS_MEMORY;
+    double(*c)[SWEEP_COUNT] = arena_take(net->arena, (size_t)count, sizeof *c);
+    enum status st;
 
-    TRY(st);
     for (int n = 0; n < count; n++)
         c[n][SWEEP_KEEP] = c[n][SWEEP_FREE] = c[n][SWEEP_FREE + 1] = c[n][SWEEP_FREE + 2] =
             1;
@@ -124,21 +124,18 @@ static enum status make_sweep(struct net *net)
     spring_sweep_set(net->sweep, (const double(*)[SWEEP_COUNT])c);
     spring_sweep_put(net->sweep, net->x, NULL);
 out:
-    free(c);
     return st;
 }
 
 static enum status make(const struct scene *scene, const struct shape *shape, int side,
                         struct net *net)
 {
-    enum status st = STATUS_OK;
+    enum status st;
 
     net->shape = shape;
     net->side = side;
-    net->line = malloc(side * sizeof *net->line);
-    net->x = malloc((size_t)(side * side) * 3 * sizeof *net->x);
-    if (!net->line || !net->x)
-        return STATUS_MEMORY;
+    net->line = arena_take(net->arena, (size_t)side, sizeof *net->line);
+    net->x = arena_take(net->arena, (size_t)(side * side) * 3, sizeof *net->x);
     for (int n = 0; n < side; n++)
         net->line[n] = n / (side - 1.);
     place(net, 0);
@@ -158,8 +155,6 @@ static void clear(struct net *net)
     contact_search_clear(&net->plain);
     contact_surface_clear(&net->surface);
     spring_sweep_free(net->sweep);
-    free(net->x);
-    free(net->line);
 }
 
 static enum status (*const call[MOVING])(void *net) = {step, find, find_again, find_all};
@@ -306,13 +301,15 @@ static enum status print(const struct bench *b, int count, const struct net *net
 static enum status measure(struct bench *b, struct message *why)
 {
     const int count = b->quick ? QUICK_SIDES : SIDES;
-    struct net *nets = calloc(CASES, sizeof *nets);
+    struct arena arena = {0};
+    struct net *nets = arena_take(&arena, CASES, sizeof *nets);
     struct scene scene = {0};
-    enum status st = nets ? STATUS_OK : STATUS_MEMORY;
+    enum status st;
 
-    TRY(st);
     TRY(scene_init(&scene));
     scene.length = scene.width = 1;
+    for (int k = 0; k < CASES; k++)
+        nets[k].arena = &arena;
     for (int k = 0; k < SHAPES * count; k++)
         TRY(make(&scene, &shapes[k / count], (b->quick ? quick_sides : sides)[k % count],
                  &nets[k]));
@@ -326,9 +323,9 @@ static enum status measure(struct bench *b, struct message *why)
     }
     st = print(b, count, nets, why);
 out:
-    for (int k = 0; nets && k < CASES; k++)
+    for (int k = 0; k < CASES; k++)
         clear(&nets[k]);
-    free(nets);
+    arena_clear(&arena);
     scene_clear(&scene);
     return st;
 }

@@ -104,11 +104,9 @@ enum status command_parse(const struct command *command, int argc, char **argv,
 
     *line = (struct command_line){
         .command = command, .room = (int)room, .printer = {.file = stdout}};
-    line->words = calloc(room, sizeof *line->words);
-    line->counts = calloc(options, sizeof *line->counts);
-    line->values = calloc(options * room, sizeof *line->values);
-    if (!line->words || !line->counts || !line->values)
-        TRY(STATUS_MEMORY);
+    line->words = arena_take(&line->arena, room, sizeof *line->words);
+    line->counts = arena_take(&line->arena, options, sizeof *line->counts);
+    line->values = arena_take(&line->arena, options * room, sizeof *line->values);
     for (int at = 0; at < argc; at++) {
         if (!only_words && !strcmp(argv[at], "--"))
             only_words = true;
@@ -127,9 +125,7 @@ out:
 
 void command_line_clear(struct command_line *line)
 {
-    free(line->values);
-    free(line->counts);
-    free(line->words);
+    arena_clear(&line->arena);
     *line = (struct command_line){0};
 }
 

@@ -46,11 +46,12 @@ struct command {
 struct command_line {
     const struct command *command; /*                                         borrowed */
     int word_count;
-    const char **words;     /* [word_count]; strings borrowed from argv   owned */
-    int *counts;            /* [options] times given                      owned */
+    const char **words;     /* [word_count]; strings borrowed from argv         */
+    int *counts;            /* [options] times given                            */
     int room;               /* for values of an option                          */
-    const char **values;    /* [options][room]; NULL strings of switches  owned */
-    struct printer printer; /* to standard output, in the format of --format */
+    const char **values;    /* [options][room]; NULL strings of switches        */
+    struct printer printer; /* to standard output, in the format of --format    */
+    struct arena arena;     /* of the arrays                              owned */
 };
 
 /* Reads argv[argc], the arguments after the command's name: --name value, --name=value,

@@ -13,6 +13,10 @@ static const double DEFAULT_TOLERANCE = 1e-6;
 /* Tolerances of conjugate gradients: for a change that others follow, and for one alone. */
 static const double LINEAR_TOLERANCE = 1e-2, LAST_TOLERANCE = 1e-4;
 
+/* The way that leaves a tangent as good as new, in lengths of a cell: a third fewer are
+ * made, and no more systems solved. */
+static const double STILL = 1e-4;
+
 static bool in_squares(const struct spring_motion *m)
 {
     return m->integrator == INTEGRATOR_LEAPFROG || m->integrator == INTEGRATOR_MOMENTUM;
@@ -34,6 +38,7 @@ static enum status make_march(struct spring_motion *m, struct message *why)
 {
     enum status st;
     struct discretization d = *m->asked;
+    const double cell = fmin(m->net.mesh.cell[0], m->net.mesh.cell[1]);
     const bool implicit = m->integrator == INTEGRATOR_IMPLICIT, grid = m->net.mesh.rows,
                squares = in_squares(m),
                swept = grid && m->integrator == INTEGRATOR_LEAPFROG;
@@ -63,7 +68,8 @@ static enum status make_march(struct spring_motion *m, struct message *why)
         .tolerance = (d.tolerance > 0 ? d.tolerance
                       : implicit      ? DEFAULT_TOLERANCE
                                       : 0) *
-                     fmin(m->net.mesh.cell[0], m->net.mesh.cell[1]),
+                     cell,
+        .still = squares ? 0 : STILL * cell,
     };
     TRY(net_march(&m->net, &m->march, &d, why));
     if (!in_squares(m)) {

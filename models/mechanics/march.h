@@ -71,6 +71,7 @@ struct march {
     int substeps; /* of a frame; 0: one                                                  */
     double loose; /* tolerance of an iterated system's changes; 0: the system's own   */
     double tolerance; /* change that ends Newton's iteration; 0: its own        [m]      */
+    double still;     /* newton.h's; 0: none                                     [m]    */
     int enough; /* iterations after which a step is taken; 0: converged                 */
 
     enum kinematics kinematics;

@@ -53,23 +53,26 @@ static enum status renew(struct newton *n, enum newton_setup which, double *size
     enum status st;
 
     n->memory.known = 0;
+    n->moved = 0;
     TRY(n->owner->setup(n, which, counters));
     TRY(find_change(n, size, counters));
 out:
     return st;
 }
 
-/* Finds the change at x, with the old tangent if that makes it shorter than `chord` times
- * the last. */
+/* Finds the change at x, with the old tangent if that is as good as new or makes it shorter
+ * than `chord` times the last. */
 static enum status next_change(struct newton *n, double chord, struct counters *counters)
 {
     enum status st = STATUS_OK;
     const bool learns = n->owner->learns(n);
     double size = INFINITY;
 
-    if (n->chord > 0)
+    n->moved += n->size;
+    const bool near = !learns && n->moved <= n->still;
+    if (n->chord > 0 || near)
         TRY(find_change(n, &size, counters));
-    n->kept = size <= (learns ? fmax(LEAST_CHORD, n->pays) : chord) * n->size;
+    n->kept = near || size <= (learns ? fmax(LEAST_CHORD, n->pays) : chord) * n->size;
     if (!n->kept) {
         n->worn = !learns || n->renewed++ > 0;
         TRY(renew(n, NEWTON_NEXT, &size, counters));
@@ -129,6 +132,7 @@ static enum status begin(struct newton *n, struct counters *counters)
     n->size = n->best = INFINITY, n->before = n->pays = 0;
     n->changes = n->since = n->renewed = 0;
     n->worn = n->balanced = false;
+    n->moved = INFINITY;
     TRY(n->owner->residual(n));
     TRY(n->kept ? find_change(n, &n->size, counters)
                 : renew(n, NEWTON_FIRST, &n->size, counters));

@@ -38,6 +38,7 @@ struct newton {
     double *x;    /* [count] the place                                          [m]    */
     double *room; /* [NEWTON_ROOM][count]                                              */
     double chord; /* 0: a tangent is never kept                                        */
+    double still; /* so near to where it was made a tangent is as good as new   [m]    */
     double least; /* changes are learnt from down to this size                  [m]    */
     int limit;    /* of changes, but those that a tangent that learns makes: each is
                      shorter than the one before                                       */
@@ -53,6 +54,7 @@ struct newton {
 
     /* The loop's own. */
     double *next, best, pays;
+    double moved; /* the way since the tangent was made                          [m]    */
     int since, renewed;
     bool balanced; /* a change was taken whole: r has no resultant any more            */
     struct newton_memory memory;

@@ -11,7 +11,7 @@ static const double CONVERGED = 1e-9, LEFT = 6e-9;
  * the loop is to go, and what is wanted of it. */
 struct problem {
     double (*force)(double x, int axis), (*slope)(double x, int axis);
-    double wrong, start, chord, least;
+    double wrong, start, chord, still, least;
     double earlier; /* the stiffness of a tangent of earlier, along each axis; 0: none */
     bool learns, anew, rash; /* tangents; each change is of another equation; there is no
                                 safer tangent                                           */
@@ -148,6 +148,7 @@ static void check(struct problem p)
                        .x = x,
                        .room = room,
                        .chord = p.chord,
+                       .still = p.still,
                        .least = p.least,
                        .limit = p.limit ? p.limit : 100,
                        .patience = p.patience,
@@ -174,6 +175,10 @@ static const struct problem kept[] = {
     /* the first is kept if it leaves .02, not if it leaves .09; the next is then */
     {.wrong = 1.02, .chord = 0.4, .iterations = 7, .setups = 1},
     {.wrong = 1.1, .chord = 0.4, .iterations = 10, .setups = 2, .worn = true},
+    /* without, each is of a tangent of its own but those within a tenth of where one was
+       made: the second begins .98 from the first */
+    {.wrong = 1.02, .iterations = 7, .setups = 7, .worn = true},
+    {.wrong = 1.02, .still = 0.1, .iterations = 7, .setups = 2, .worn = true},
     /* one of earlier leaves .44 along the softest axis, the others are soon done */
     {.wrong = 1, .chord = 0.4, .earlier = 1.8, .iterations = 4, .setups = 1, .worn = true},
     {.chord = 0.5, .earlier = 1.8, .iterations = 26},

@@ -287,14 +287,21 @@ enum status system_factor(struct system *s, double k, const double (*K)[9], doub
         return update(s, false, k, K, m, M);
     const struct blocks *g = s->graph;
     double *value = factor_values(s->factor), A[9];
+    const bool turns = s->held->frame_count > 0;
 
     factor_clear_values(s->factor);
-    for (int a = 0; a < g->nodes; a++)
+    for (int a = 0; turns && a < g->nodes; a++)
         for (long n = g->start[a]; n < g->start[a + 1]; n++) {
             sum_block(s->held, g, a, n, k, K, m, M, A);
             for (int t = 0; t < 9; t++)
                 value[s->slot[9 * n + t]] = A[t];
         }
+    for (long n = 0; !turns && n < g->start[g->nodes]; n++) {
+        const ptrdiff_t *slot = s->slot + 9 * n;
+        const double mass = M ? m * M[n] : 0;
+        for (int t = 0; t < 9; t++)
+            value[slot[t]] = k * K[n][t] + (t % 4 ? 0 : mass);
+    }
     return factor_refactor(s->factor);
 }
 

@@ -13,6 +13,7 @@
 #include "models/damping.h"
 #include "models/mechanics/dead_load.h"
 #include "models/mechanics/supports.h"
+#include "models/net/hinge_mesh.h"
 #include "models/net/hinge_rule.h"
 #include "models/net/spring_net.h"
 #include "models/reader/scene_file.h"
@@ -44,6 +45,7 @@ struct export_job {
     struct settings settings;
     struct export_sheet sheet;
     struct mesh mesh; /* of --mesh, else all zero                                  owned */
+    double *hinge;    /* [edges of the mesh] factors of their hinges                      */
     struct export_held held;
     struct truth known;    /* no times: no truth is known                                */
     struct message misfit; /* what matched springs cannot represent; empty: nothing      */
@@ -801,8 +803,9 @@ static void export_numbers_materials(struct export_job *j, struct output *out)
     each(&j->sheet, &(struct taker){take_line, out}, &j->misfit);
 }
 
-/* Writes each edge's hinge, D |e|^2 over the area of its triangles; at a clamp the angle
- * stands for half a cell, and that is the area of the one that is free. */
+/* Writes each edge's hinge: D |e|^2 over the area of its triangles, times factors
+ * (models/net/hinge_mesh.h); at a clamp the angle stands for half a cell, and that is the
+ * area of the one that is free. */
 static void export_numbers_hinges(struct export_job *j, struct output *out)
 {
     const struct mesh *mesh = j->sheet.mesh;
@@ -826,7 +829,7 @@ static void export_numbers_hinges(struct export_job *j, struct output *out)
                              D * square / area[k]);
         if (!clamp && v[3] >= 0)
             output_print(out, "%d,%d,%d,%d,%.17g\n", v[0], v[1], v[2], v[3],
-                         D * square / (area[0] + area[1]));
+                         j->hinge[e - mesh->edge] * D * square / (area[0] + area[1]));
     }
 }
 
@@ -1621,6 +1624,9 @@ static enum status prepare(struct export_job *j, const struct command_line *line
     if (d.mesh) {
         TRY(mesh_make(&j->mesh, &j->scene, &d, MESH_NO_NODES, why));
         j->sheet.mesh = &j->mesh;
+        const struct law law = scene_law(&j->scene);
+        j->hinge = arena_take(&j->arena, (size_t)j->mesh.edges, sizeof *j->hinge);
+        TRY(hinge_mesh_factors(&j->mesh, law.matrix[LAW_BENDING], j->hinge));
     }
     TRY(export_held_find(&j->arena, &j->sheet, &j->held, why));
     TRY(truth_judged(&j->scene, &j->known, why));

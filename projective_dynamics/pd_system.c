@@ -8,39 +8,23 @@
 /* --- the matrix --------------------------------------------------------------------------
  */
 
-static int ascending(const void *a, const void *b)
-{
-    const int p = *(const int *)a, q = *(const int *)b;
-
-    return (p > q) - (p < q);
-}
-
 /* Makes the graph of links and rows. */
 static enum status make_graph(struct pd_system *s, const struct pd_energy *e)
 {
     const int elements = e->link_count + e->row_count;
-    long *start;
-    int *ien;
-    void *room;
-    enum status st;
+    int *ien = malloc((size_t)(PD_ROW * elements + 1) * sizeof *ien), *next = ien;
+    enum status st = STATUS_MEMORY;
 
-    TRY(room_cut(&room, ROOM(start, elements + 1),
-                 ROOM(ien, 2 * e->link_count + PD_ROW * e->row_count)));
-    for (int n = 0; n < elements; n++) {
-        const struct pd_link *l = &e->links[n];
-        const struct pd_row *row = &e->rows[n - e->link_count];
-        int *node = ien + start[n];
-        if (n < e->link_count)
-            memcpy(node, (const int[]){l->a, l->b}, 2 * sizeof *node);
-        else
-            memcpy(node, row->node, (size_t)row->count * sizeof *node);
-        const int count = n < e->link_count ? 2 : row->count;
-        qsort(node, (size_t)count, sizeof *node, ascending);
-        start[n + 1] = start[n] + count;
-    }
-    st = blocks_init_uneven(&s->graph, s->net->nodes, elements, start, ien);
-    free(room);
-out:
+    if (!ien)
+        return st;
+    for (const struct pd_link *l = e->links; l < e->links + e->link_count; l++)
+        for (int k = 0; k < PD_ROW; k++)
+            *next++ = k ? l->b : l->a;
+    for (const struct pd_row *row = e->rows; row < e->rows + e->row_count; row++)
+        for (int k = 0; k < PD_ROW; k++)
+            *next++ = row->node[k < row->count ? k : 0];
+    st = blocks_init(&s->graph, s->net->nodes, elements, PD_ROW, ien);
+    free(ien);
     return st;
 }
 
@@ -114,7 +98,7 @@ static void fill(const struct pd_system *s, struct pd_group *g, const bool *held
         for (long n = s->graph.start[k]; n < s->graph.start[k + 1]; n++) {
             const int other = s->graph.node[n];
             const double a = s->entry[n];
-            if (a == 0)
+            if (a == 0 && other != k)
                 continue;
             if (!held[k] && !held[other])
                 value[factor_slot(g->factor, other, k)] += a;

@@ -83,6 +83,9 @@ for model in mass_spring position_based vbd projective_dynamics; do
         --set discretization.mesh=good.obj)
     good "${on_mesh[@]}"
     ends 2 "${on_mesh[@]}" --set discretization.mesh=grid --set discretization.refine=1
+    # a patch has edges at which nothing bends
+    good run corners_patch --model "$model" --set time.end=0.01 --set 'snapshots=[]' \
+        --set discretization.mesh=diagonal --set 'discretization.points=[11,11,1]'
 done
 refuses() { # SENTENCE MODEL SETTING
     ends 2 run edge_drop --model "$2" --set discretization.mesh=irregular --set "$3"

@@ -15,7 +15,8 @@ struct blocks {
     int *node;   /* [pairs = start[nodes]]                                     owned   */
 };
 
-/* Makes the graph of elements with `local` nodes each: ien[elements][local], ascending. */
+/* Makes the graph of elements with `local` nodes each: ien[elements][local], in any
+ * order, and repeated or not. */
 enum status blocks_init(struct blocks *g, int nodes, int elements, int local,
                         const int *ien);
 

@@ -18,10 +18,10 @@ static const double TAKEN = 0.7, LEAST = 0.1, ENOUGH = 1e-3, MOST = 0.02;
 
 /* An edge inside: how its fold changes with its points' places along the normal. */
 struct fold {
-    int point[4];    /* ascending                                                      */
-    double rise[4];  /*                                                       [1/m]    */
-    double usual;    /* its stiffness over D                                           */
-    double angle[3]; /* under three curvatures                               [m]       */
+    const int *point; /* [4] its ends, and those across                               */
+    double rise[4];   /*                                                       [1/m]    */
+    double usual;     /* its stiffness over D                                           */
+    double angle[3];  /* under three curvatures                               [m]       */
     double share[CONDITIONS]; /* in each condition, for a factor of 1                    */
     bool core;                /* no point of it is on the rim                           */
     int edge;
@@ -48,12 +48,7 @@ static void add_fold(struct calibration *c, int edge)
     double area = 0, length = 0;
 
     *f = (struct fold){.core = true, .edge = edge};
-    memcpy(f->point, e->node, sizeof f->point);
-    for (int n = 1; n < 4; n++) /* by insertion */
-        for (int k = n; k > 0 && f->point[k] < f->point[k - 1]; k--) {
-            const int keep = f->point[k];
-            f->point[k] = f->point[k - 1], f->point[k - 1] = keep;
-        }
+    f->point = memcpy(c->ien[c->folds++], e->node, sizeof e->node);
     for (int k = 0; k < 2; k++) {
         const struct mesh_plane p = mesh_plane_of(mesh, e->triangle[k]);
         const int *v = mesh->flat.triangle[e->triangle[k]];
@@ -70,7 +65,6 @@ static void add_fold(struct calibration *c, int edge)
     for (int n = 0; n < 4; n++)
         f->core &= !c->rim[f->point[n]];
     c->area += f->core ? area / 3 : 0;
-    memcpy(c->ien[c->folds++], f->point, sizeof f->point);
 }
 
 static enum status make(struct calibration *c)

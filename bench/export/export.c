@@ -1413,9 +1413,10 @@ static void put_parameters(const struct export_job *j, struct output *out)
             "(Lloyd, Szekely and\n  Harders 2007); XPBD: `compliance` of C = length - "
             "rest_length;\n- bending by the angle between two triangles, k theta^2 / "
             "2: hinges.csv has for each edge a b, between\n  triangles with c and d, k "
-            "= D |e|^2 / (A1 + A2) [N m], with one area at a clamp. They bend as a "
-            "mesh\n  is drawn: on even diagonals up to a fifth too soft, on irregular "
-            "triangles by some hundredths.\n");
+            "= D |e|^2 / (A1 + A2) [N m], with one area at a clamp, times a\n  factor with "
+            "which the mesh bends as the sheet does in every direction, on the mean. Of a "
+            "mesh\n  that is cut one way it is 1, and askew that is up to three times too "
+            "stiff.\n");
     else if (flat)
         output_print(
             out, "- springs along u, v and both diagonals of each cell: `value` [N/m]; on "

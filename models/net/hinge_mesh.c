@@ -32,6 +32,7 @@ struct calibration {
     void *room;
     bool *rim, *held; /* [vertices] on the rim; there or beside                         */
     double *bend;     /* [vertices] work                                                */
+    double *start;    /* [edges] factors before a step                                  */
     struct fold *fold;
     int folds;
     int (*ien)[4]; /* [folds]                                                           */
@@ -73,8 +74,8 @@ static enum status make(struct calibration *c)
     const struct mesh *mesh = c->mesh;
 
     TRY(room_cut(&c->room, ROOM(c->rim, mesh->vertices), ROOM(c->held, mesh->vertices),
-                 ROOM(c->bend, mesh->vertices), ROOM(c->fold, mesh->edges),
-                 ROOM(c->ien, mesh->edges)));
+                 ROOM(c->bend, mesh->vertices), ROOM(c->start, mesh->edges),
+                 ROOM(c->fold, mesh->edges), ROOM(c->ien, mesh->edges)));
     for (int n = 0; n < mesh->edges; n++)
         for (int k = 0; mesh->edge[n].node[3] < 0 && k < 2; k++)
             c->rim[mesh->edge[n].node[k]] = true;
@@ -194,28 +195,24 @@ enum status hinge_mesh_factors(const struct mesh *mesh, const double bending[LAW
                                      (2 * B[LAW_12] + 4 * B[LAW_33]) / D, 2 * B[LAW_13] / D,
                                      2 * B[LAW_23] / D};
     struct calibration c = {.mesh = mesh};
-    double *start = NULL, off = INFINITY;
+    double off = INFINITY;
 
     for (int n = 0; n < mesh->edges; n++)
         factor[n] = 1;
     TRY(make(&c));
-    start = calloc((size_t)mesh->edges, sizeof *start);
-    if (!start)
-        TRY(STATUS_MEMORY);
     for (int found = 0; c.area > 0 && found < FOUND; found++) {
         TRY(bend(&c, factor));
         if ((off = worst(&c, want, factor)) < ENOUGH)
             break;
-        memcpy(start, factor, (size_t)mesh->edges * sizeof *start);
+        memcpy(c.start, factor, (size_t)mesh->edges * sizeof *factor);
         for (int n = 0; n < TURNS * CONDITIONS; n++)
             step(&c, n % CONDITIONS, want[n % CONDITIONS], factor);
         for (int n = 0; n < mesh->edges; n++)
-            factor[n] = fmax(start[n] + TAKEN * (factor[n] - start[n]), LEAST);
+            factor[n] = fmax(c.start[n] + TAKEN * (factor[n] - c.start[n]), LEAST);
     }
-    for (int n = 0; off > MOST && n < mesh->edges; n++)
+    for (int n = 0; !(off <= MOST) && n < mesh->edges; n++)
         factor[n] = 1;
 out:
-    free(start);
     factor_destroy(c.matrix);
     blocks_clear(&c.graph);
     free(c.room);

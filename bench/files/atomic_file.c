@@ -100,7 +100,8 @@ void atomic_file_claim(const char *path)
 {
     struct stat info;
 
-    if (lstat(path, &info) == 0 && !S_ISREG(info.st_mode) && !S_ISDIR(info.st_mode))
+    if (lstat(path, &info) == 0 &&
+        (S_ISLNK(info.st_mode) || S_ISFIFO(info.st_mode) || S_ISSOCK(info.st_mode)))
         unlink(path);
 }
 

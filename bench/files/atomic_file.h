@@ -19,8 +19,9 @@ struct atomic_file {
     bool in_place;   /* a device: temporary = target, nothing is renamed              */
 };
 
-/* Removes a symbolic link, pipe or device of a name that the program chose, in a folder
- * that somebody else may have filled: what it leads to is not written. */
+/* Removes a symbolic link, pipe or socket of a name that the program chose, in a folder
+ * that somebody else may have filled: what it leads to is not written. A device stays, for
+ * who may make one may write it anyway. */
 void atomic_file_claim(const char *path);
 
 /* Finds a free temporary name and leaves an empty file there, so that a run learns at its

@@ -146,9 +146,6 @@ static const double as_near = 1 - 1e-9, far = 2;
 /* The squared cosine of the angle to the normal from which places count; and that and the
  * distance along the sheet, over the least that counts, from which they do so wholly. */
 static const double square_cos = 0.5, whole_square_cos = 0.75, whole_apart = 1.5;
-/* That from which triangles of a smooth surface are looked at: of its foot it is known
- * better. */
-static const double smooth_square_cos = 0.1;
 /* The same distance, with more than rounding to spare. */
 static const double surely_apart = 1.5 + 1e-9;
 /* The least cosine of the angle between the normals at the border and of its triangle. */
@@ -298,7 +295,7 @@ void contact_foot_consider(const struct contact_sheet *sheet, int sample, int tr
     if (contact_tree_near(sheet->tree, sheet->tree->apart, sample, corner, face.share))
         return;
     const double cosine = square_cos_of(sheet, corner, face.share, face.way);
-    if (!(cosine > (sheet->surface->smooth ? smooth_square_cos : square_cos)))
+    if (!(cosine > square_cos))
         return;
     side->sample = sample, side->side = below, side->triangle = triangle;
     memcpy(side->share, face.share, sizeof face.share);
@@ -507,11 +504,11 @@ double contact_foot_seen(double square)
  * places near along the sheet, also those to which a foot on a smooth surface went back,
  * and those seen under 45 degrees. Forces would else jump. `near` tells that it may be near
  * along the sheet. */
-static double strength(const struct contact_sheet *sheet, double cosine,
+static double strength(const struct contact_sheet *sheet, const struct contact_place *place,
                        const struct contact_foot *foot, bool near)
 {
     const struct contact_surface *s = sheet->surface;
-    const double seen = contact_foot_seen(cosine);
+    const double seen = contact_foot_seen(place->square_cos);
 
     if (!near)
         return seen;
@@ -533,7 +530,7 @@ static void fill(const struct contact_sheet *sheet, const struct contact_place *
     contact_foot_corners(s, triangle, corner);
     contact_foot_place(s, triangle, share, &foot->u, &foot->v);
     foot->strength =
-        strength(sheet, place->square_cos, foot,
+        strength(sheet, place, foot,
                  contact_tree_near(sheet->tree, surely_apart * sheet->tree->apart,
                                    foot->sample, corner, share));
     foot->count = contact_surface_mix(s, 3, corner, face->share, node, weight);
@@ -698,10 +695,7 @@ static void refine_smooth(const struct contact_sheet *sheet,
     foot->distance = vector_length(way);
     vector_cross(b.d[0], b.d[1], normal);
     point_along(foot->distance > 0 ? way : normal, foot);
-    const double along = vector_dot(normal, way);
-    const double sizes = vector_dot(normal, normal) * vector_dot(way, way);
-    foot->strength =
-        strength(sheet, sizes > 0 ? along * along / sizes : 1, foot, true) * alone(&b, way);
+    foot->strength = strength(sheet, place, foot, true) * alone(&b, way);
 }
 
 void contact_foot_refine(const struct contact_sheet *sheet, int count,

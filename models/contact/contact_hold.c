@@ -25,8 +25,7 @@ static void look(struct contact *c, double size)
 {
     const bool cycles = size > SHRUNK * c->anew;
 
-    if (cycles && c->held)
-        c->share /= 2;
+    c->share /= cycles ? 2 : 1; /* the first that holds is whole again */
     c->cycles |= cycles, c->anew = size, c->fresh = false;
 }
 

@@ -146,6 +146,9 @@ static const double as_near = 1 - 1e-9, far = 2;
 /* The squared cosine of the angle to the normal from which places count; and that and the
  * distance along the sheet, over the least that counts, from which they do so wholly. */
 static const double square_cos = 0.5, whole_square_cos = 0.75, whole_apart = 1.5;
+/* That from which triangles of a smooth surface are looked at: of its foot it is known
+ * better. */
+static const double smooth_square_cos = 0.1;
 /* The same distance, with more than rounding to spare. */
 static const double surely_apart = 1.5 + 1e-9;
 /* The least cosine of the angle between the normals at the border and of its triangle. */
@@ -295,7 +298,7 @@ void contact_foot_consider(const struct contact_sheet *sheet, int sample, int tr
     if (contact_tree_near(sheet->tree, sheet->tree->apart, sample, corner, face.share))
         return;
     const double cosine = square_cos_of(sheet, corner, face.share, face.way);
-    if (!(cosine > square_cos))
+    if (!(cosine > (sheet->surface->smooth ? smooth_square_cos : square_cos)))
         return;
     side->sample = sample, side->side = below, side->triangle = triangle;
     memcpy(side->share, face.share, sizeof face.share);
@@ -504,11 +507,11 @@ double contact_foot_seen(double square)
  * places near along the sheet, also those to which a foot on a smooth surface went back,
  * and those seen under 45 degrees. Forces would else jump. `near` tells that it may be near
  * along the sheet. */
-static double strength(const struct contact_sheet *sheet, const struct contact_place *place,
+static double strength(const struct contact_sheet *sheet, double cosine,
                        const struct contact_foot *foot, bool near)
 {
     const struct contact_surface *s = sheet->surface;
-    const double seen = contact_foot_seen(place->square_cos);
+    const double seen = contact_foot_seen(cosine);
 
     if (!near)
         return seen;
@@ -530,7 +533,7 @@ static void fill(const struct contact_sheet *sheet, const struct contact_place *
     contact_foot_corners(s, triangle, corner);
     contact_foot_place(s, triangle, share, &foot->u, &foot->v);
     foot->strength =
-        strength(sheet, place, foot,
+        strength(sheet, place->square_cos, foot,
                  contact_tree_near(sheet->tree, surely_apart * sheet->tree->apart,
                                    foot->sample, corner, share));
     foot->count = contact_surface_mix(s, 3, corner, face->share, node, weight);
@@ -695,7 +698,15 @@ static void refine_smooth(const struct contact_sheet *sheet,
     foot->distance = vector_length(way);
     vector_cross(b.d[0], b.d[1], normal);
     point_along(foot->distance > 0 ? way : normal, foot);
-    foot->strength = strength(sheet, place, foot, true) * alone(&b, way);
+    const double along = vector_dot(normal, way);
+    const double sizes = vector_dot(normal, normal) * vector_dot(way, way);
+    /* what goes on beyond a border is no sheet: that is seen from its closest triangle */
+    const bool beyond = u < ends.low[0] - settled || u > ends.high[0] + settled ||
+                        v < ends.low[1] - settled || v > ends.high[1] + settled;
+    const double cosine = sizes > 0 ? along * along / sizes : 1;
+    foot->strength =
+        strength(sheet, beyond ? fmin(cosine, place->square_cos) : cosine, foot, true) *
+        alone(&b, way);
 }
 
 void contact_foot_refine(const struct contact_sheet *sheet, int count,

@@ -276,10 +276,13 @@ static void compare_rolled(const struct contact_search *s, double *distance, dou
 }
 
 /* A curve through itself and back, in loops as tight as contact is wide. */
-static void looped(double u, double v, double x[3])
+static void place_looped(double phase)
 {
-    x[0] = 0.03 * sin(turn * 5 * u) + 0.01 * u, x[1] = v;
-    x[2] = 0.012 * sin(turn * 8.3 * u + 1);
+    for (int k = 0; k < 2 * ORDER; k++) {
+        const double u = (1 - cos(turn / 2 * (k / 2) / (ORDER - 1))) / 2;
+        place[k][0] = 0.03 * sin(turn * 5 * u) + 0.01 * u, place[k][1] = k % 2;
+        place[k][2] = 0.012 * sin(turn * 8.3 * u + phase);
+    }
 }
 
 /* Errors of interpolation by polynomials of order 64 and of differences, seen
@@ -301,8 +304,7 @@ static void test_smooth(void)
     compare_rolled(&search, &distance, &normal);
     CHECK_NEAR(distance, 0, smooth_error);
     CHECK_NEAR(normal, 0, smooth_error);
-    for (int k = 0; k < 2 * ORDER; k++)
-        looped((1 - cos(turn / 2 * (k / 2) / (ORDER - 1))) / 2, k % 2, place[k]);
+    place_looped(1);
     for (int points = 14; points < 40; points++) {
         const int few[2] = {points, 3};
         close_search(&surface, &search);
@@ -311,6 +313,35 @@ static void test_smooth(void)
         check_feet(&search, 1);
         CHECK(search.count > 50);
     }
+    close_search(&surface, &search);
+}
+
+/* Where loops change their shape, feet that come and go do so by their share in the law,
+ * inside a bend about the sample, too. (At the phase 2.42 a sample has the same foot on
+ * both sides, one of which leaps to another layer.) */
+static void test_loops(void)
+{
+    enum { STEPS = 70, POINTS = 40 };
+    static double share[2][2 * 3 * POINTS];
+    const double step = 1e-5;
+    struct contact_surface surface;
+    struct contact_search search;
+    double most = 0;
+
+    open_smooth((const int[]){POINTS, 3}, smooth_row, 2 * ORDER, &surface, &search);
+    for (int n = 0; n < STEPS; n++) {
+        for (int side = 0; side < 2; side++) {
+            memset(share[side], 0, sizeof share[side]);
+            place_looped(1 + 0.02 * n + side * step);
+            REQUIRE(contact_search_find(&search, place[0]) == STATUS_OK);
+            for (int k = 0; k < search.count; k++)
+                share[side][2 * search.foot[k].sample + search.foot[k].side] =
+                    search.foot[k].strength * (1 - search.foot[k].distance / start);
+        }
+        for (int k = 0; k < 2 * 3 * POINTS; k++)
+            most = fmax(most, fabs(share[1][k] - share[0][k]));
+    }
+    CHECK(most < 0.05);
     close_search(&surface, &search);
 }
 
@@ -622,6 +653,7 @@ int main(void)
     test_sheets_alone();
     test_every_pair();
     test_smooth();
+    test_loops();
     test_sliding();
     test_leaving();
     test_not_a_number();

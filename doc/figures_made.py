@@ -139,12 +139,13 @@ def table4():
         for r in part("table4", "In hindsight", "always_no")])
 
 def worst(check, model, keep=lambda field, ratio, nu: True):
-    """The largest error of a check's rows of a model, whose title begins so; `keep` is asked whether it
-    is a field's, and of h/L and nu, which are 0 where a row does not name them."""
+    """The largest error of a check's rows of a model, whose title begins so, of `fabrics` in bending lengths;
+    `keep` is asked whether it is a field's, and of h/L and nu, which are 0 where a row does not name them."""
     errors = []
     for r in [r for _, rows in result("verify") for r in rows if r["check"] == check]:
         found = re.search(r"h/L = ([\d.e-]+), nu = ([\d.]+)", r["quantity"])
         if (re.fullmatch(model, r["model"]) and r["verdict"] != "not applicable" and r["error"] not in ("", "inf")
+                and (check != "fabrics" or r["quantity"].startswith("bending length"))
                 and keep(r["quantity"].startswith("field"), *(map(float, found.groups()) if found else (0, 0)))):
             errors.append(abs(float(r["error"])))
     return percent(100 * max(errors)) if errors else "-"

@@ -27,9 +27,9 @@
  * - x_0 - du e_u) / du^2|^2. A point support, and one on part of the thickness (a hinge),
  * keep positions only; so do all supports of the paper's set.
  *
- * On a mesh that is no grid F = sum of x_j times the gradient of j's hat function, edges
- * are spring_net.h's, and bending is spring_plate.h's, with slopes that are nodes without
- * mass.
+ * A mesh that is no grid has F = sum of x_j times the gradient of j's hat function; its
+ * edges are spring_net.h's, and bending is spring_plate.h's, with slopes that are nodes
+ * without mass.
  */
 #ifndef PD_ENERGY_H
 #define PD_ENERGY_H

@@ -265,6 +265,16 @@ void contact_foot_normals(const struct contact_sheet *sheet, int i, const bool *
     }
 }
 
+/* Returns the squared cosine of the angle between a normal and a way; 1 where one is none.
+ */
+static double square_cosine(const double normal[3], const double way[3])
+{
+    const double along = vector_dot(normal, way);
+    const double sizes = vector_dot(normal, normal) * vector_dot(way, way);
+
+    return sizes > 0 ? along * along / sizes : 1;
+}
+
 /* Returns the squared cosine of the angle between the way from a point of a triangle to a
  * sample and the sheet's normal there; in a face it is along the face's. */
 static double square_cos_of(const struct contact_sheet *sheet, const int corner[3],
@@ -277,9 +287,7 @@ static double square_cos_of(const struct contact_sheet *sheet, const int corner[
     for (int k = 0; k < 3; k++)
         for (int i = 0; share[k] > 0 && i < 3; i++)
             n[i] += share[k] * sheet->normal[3 * (long)corner[k] + i];
-    const double along = vector_dot(n, way);
-    const double sizes = vector_dot(n, n) * vector_dot(way, way);
-    return sizes > 0 ? along * along / sizes : 1;
+    return square_cosine(n, way);
 }
 
 void contact_foot_consider(const struct contact_sheet *sheet, int sample, int triangle,
@@ -698,12 +706,10 @@ static void refine_smooth(const struct contact_sheet *sheet,
     foot->distance = vector_length(way);
     vector_cross(b.d[0], b.d[1], normal);
     point_along(foot->distance > 0 ? way : normal, foot);
-    const double along = vector_dot(normal, way);
-    const double sizes = vector_dot(normal, normal) * vector_dot(way, way);
     /* what goes on beyond a border is no sheet: that is seen from its closest triangle */
     const bool beyond = u < ends.low[0] - settled || u > ends.high[0] + settled ||
                         v < ends.low[1] - settled || v > ends.high[1] + settled;
-    const double cosine = sizes > 0 ? along * along / sizes : 1;
+    const double cosine = square_cosine(normal, way);
     foot->strength =
         strength(sheet, beyond ? fmin(cosine, place->square_cos) : cosine, foot, true) *
         alone(&b, way);

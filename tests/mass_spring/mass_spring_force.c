@@ -124,8 +124,8 @@ static void check_clamped(void)
     springs_clear(&s);
 }
 
-/* Of a net as the march has it. softens: to a tenth within the net's curvatures, which
- * reach far beyond. */
+/* Checks a net as the march has it. softens: its law falls to a tenth within the net's
+ * curvatures, which reach far beyond. */
 static void check_body(enum integrator integrator, const char *mesh, bool softens)
 {
     const double DIFFERENCE = 5e-9; /* derivative_fixture.h */

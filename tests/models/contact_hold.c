@@ -96,7 +96,7 @@ static void test_cycles(void)
     CHECK(!contact_hold_release(&c, true));
 }
 
-/* Where feet are not to be found anew, the first release alone lets go. */
+/* The first release alone lets go where feet are not to be found anew. */
 static void test_kept(void)
 {
     begin(ITSELF);

@@ -316,7 +316,7 @@ static void test_smooth(void)
     close_search(&surface, &search);
 }
 
-/* Where loops change their shape, feet that come and go do so by their share in the law,
+/* Feet that come and go while loops change their shape do so by their share in the law,
  * inside a bend about the sample, too. (At the phase 2.42 a sample has the same foot on
  * both sides, one of which leaps to another layer.) */
 static void test_loops(void)

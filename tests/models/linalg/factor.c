@@ -197,7 +197,7 @@ static void check_band_order(void)
     free(order);
 }
 
-/* Of a narrow net CHOLMOD has no supernodes. */
+/* CHOLMOD has no supernodes of a narrow net. */
 static void check_refusals(enum solver method, bool narrow)
 {
     const struct net_shape shape = {narrow ? 30 : 7, narrow ? 2 : 6, narrow ? 1 : 2};

@@ -50,7 +50,7 @@ static void check_plate(double poisson)
     scene_clear(&s);
 }
 
-/* In cells of a by 1; `everywhere`: the third equation has a solution. */
+/* Cells are a by 1; `everywhere`: the third equation has a solution. */
 static void check_hinges(const double B[LAW_ENTRIES], double a, bool everywhere)
 {
     const struct hinge_rule k = hinge_rule_of(B, a, 1);

@@ -18,6 +18,7 @@ static struct {
     int slow;         /* the frame that takes at least SCRIPT_SLOW seconds */
     int idle;         /* the frame that waits as long without a processor  */
     int refuse_after; /* creates that succeed before `create` is returned              */
+    bool folds;       /* the sheet passes through itself within three places of the grid */
 } script;
 
 /* Of every create a capital, of every step a small letter: 'A' + points along u - 2. */
@@ -86,6 +87,16 @@ static enum status scripted_advance(void *state, struct counters *counters)
     return s->frame == script.dies ? script.death : STATUS_OK;
 }
 
+/* Moves a point of the grid's places 50 to 53 along u. */
+static void script_fold(double u, double xyz[3])
+{
+    static const double to[4][2] = {{51.5, 0}, {51.5, 1}, {50, 1}, {50, -1}};
+    const long k = lround(u * (GRID_U - 1)) - 50;
+
+    if (k >= 0 && k < 4)
+        xyz[0] = to[k][0] / (GRID_U - 1), xyz[2] += to[k][1] / (GRID_U - 1);
+}
+
 static void scripted_probe(const void *state, int n, const double *uvw, double *xyz)
 {
     const struct scripted *s = state;
@@ -93,6 +104,8 @@ static void scripted_probe(const void *state, int n, const double *uvw, double *
     script_looks++;
     for (int p = 0; p < n; p++) {
         scene_rest_point(s->scene, uvw + 3 * p, xyz + 3 * p);
+        if (script.folds)
+            script_fold(uvw[3 * p], xyz + 3 * p);
         xyz[3 * p + 2] += s->frame == script.escapes && s->frame ? 1e3 : 1e-3 * s->frame;
     }
 }

@@ -126,6 +126,21 @@ static void test_load(void)
     settings_clear(&s);
 }
 
+/* What a coarse search does not see is counted at the last look, also of one that dies. */
+static void test_crossing(void)
+{
+    const struct run_keep keep = {.file = file, .every = 5, .intersections = true};
+    struct run_result r;
+
+    for (int dies = 0; dies < 2; dies++) {
+        script_reset();
+        script.folds = true, script.dies = 13 * dies, script.death = STATUS_DIVERGED;
+        write_script(0.1, &keep, &r);
+        CHECK(r.value[MEASURE_INTERSECTIONS_END] > 0);
+        CHECK(r.value[MEASURE_INTERSECTION_TIME] == (dies ? 10 : 20) * 0.005);
+    }
+}
+
 static void check_array(const char *name, int count, const double *want)
 {
     struct store_read *store = NULL;
@@ -520,6 +535,7 @@ int main(int argc, char **argv)
     }
     test_same_bits();
     test_load();
+    test_crossing();
     test_last_frame();
     test_times();
     test_rest();

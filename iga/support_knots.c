@@ -4,21 +4,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Places closer than this [sides] are the same: a scene's 0.333 and 0.3333 are not. */
-static const double APART = 1e-4;
+#include "models/support_lines.h"
+
+static const double APART = SUPPORT_LINES_APART;
 
 static int ascending(const void *a, const void *b)
 {
     const double x = *(const double *)a, y = *(const double *)b;
 
     return (x > y) - (x < y);
-}
-
-bool support_knots_clamps_line(const struct scene_support *s, int i)
-{
-    return s->hi[i] - s->lo[i] <= APART && s->hi[1 - i] - s->lo[1 - i] > APART &&
-           s->lo[i] > APART && s->hi[i] < 1 - APART && s->fix == FIX_XYZ &&
-           s->lo[2] < s->hi[2];
 }
 
 double support_knots_at(const struct scene *scene, const struct bspline *b, int direction,
@@ -32,18 +26,7 @@ double support_knots_at(const struct scene *scene, const struct bspline *b, int 
 
 static bool has_ends(const struct scene_support *s, int i)
 {
-    return s->hi[i] - s->lo[i] > APART || support_knots_clamps_line(s, i);
-}
-
-bool support_knots_loads_line(const struct scene *scene, int load, int i, double *at)
-{
-    const struct scene_load *l = &scene->loads[load];
-
-    *at = l->lo[i];
-    if (i == 0)
-        scene_sheet_at(scene, *at, at);
-    return l->hi[i] - l->lo[i] <= APART && l->hi[1 - i] - l->lo[1 - i] > APART &&
-           *at > APART && *at < 1 - APART;
+    return s->hi[i] - s->lo[i] > APART || support_lines_clamped(s, i);
 }
 
 static size_t end_room(const struct scene *scene)
@@ -64,7 +47,7 @@ static int find_ends(const struct scene *scene, int i, double *end)
             end[++all] = s.lo[i], end[++all] = s.hi[i];
     }
     for (int n = 0; n < scene->load_count; n++)
-        all += support_knots_loads_line(scene, n, i, &end[all + 1]);
+        all += support_lines_loaded(scene, n, i, &end[all + 1]);
     qsort(end + 1, (size_t)all, sizeof *end, ascending);
     end[0] = 0;
     for (int n = 1; n <= all; n++)

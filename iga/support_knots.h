@@ -18,17 +18,8 @@
 #ifndef SUPPORT_KNOTS_H
 #define SUPPORT_KNOTS_H
 
-#include <stdbool.h>
-
 #include "iga/bspline.h"
 #include "models/scene.h"
-
-/* Returns whether a support clamps a line inside the sheet across direction i. */
-bool support_knots_clamps_line(const struct scene_support *s, int i);
-
-/* Returns whether a load lies on a line inside the sheet across direction i, and computes
- * its u (of its sheet) or v; *at has room all the same. */
-bool support_knots_loads_line(const struct scene *scene, int load, int i, double *at);
 
 /* The continuity of a sheet at an end: C^0 or C^1. */
 enum support_knots_border { SUPPORT_KNOTS_SOLID, SUPPORT_KNOTS_SHELL };

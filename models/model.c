@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "models/grid.h"
+#include "models/support_lines.h"
 
 void matrix_clear(struct matrix *m)
 {
@@ -187,17 +188,28 @@ static int at_least(int points, int degree)
     return points > 1 && points <= degree ? degree + 1 : points;
 }
 
-/* Adds the points that the scene needs to the default ones of directions left open. */
+/* Returns whether lines of points are where a grid's are. */
+static bool has_lines(const struct discretization *d)
+{
+    return !d->mesh || !strcmp(d->mesh, "grid") || !strcmp(d->mesh, "diagonal");
+}
+
+/* Adds the points that the scene needs to the default ones of directions left open: lines
+ * where supports end and loads lie, where twice the spans have them, and knots that repeat.
+ */
 static bool add_points(const struct model *model, const struct scene *scene,
                        const bool open[3], struct discretization *d)
 {
     bool added = false;
 
-    for (int i = 0; model->extra_points && i < 3; i++) {
-        const int more =
-            open[i] && !d->knot_count[i] ? model->extra_points(scene, d, i) : 0;
-        d->points[i] += more;
-        added |= more > 0;
+    for (int i = 0; i < 2; i++) {
+        const int points = d->points[i];
+        if (!open[i] || d->knot_count[i] || !has_lines(d) || points <= d->degree[i])
+            continue;
+        d->points[i] += model->extra_points ? model->extra_points(scene, d, i) : 0;
+        const int fit = support_lines_points(scene, i, d->points[i], d->degree[i]);
+        d->points[i] = fit ? fit : d->points[i];
+        added |= d->points[i] > points;
     }
     return added;
 }
@@ -220,7 +232,8 @@ void model_complete(const struct model *model, const struct scene *scene,
         status_fail(told, STATUS_OK, "the degree needs as many");
     fill(usual, d);
     if (add_points(model, scene, open, d) && d->remedy == all.remedy)
-        status_fail(told, STATUS_OK, "knots repeat at the ends of supports");
+        status_fail(told, STATUS_OK,
+                    "lines of the net lie where supports end and loads are");
     tell(&all, d, told);
 }
 

@@ -5,9 +5,9 @@
 #include <stdlib.h>
 
 #include "bench/harness/fit.h"
-#include "bench/harness/net_fit.h"
 #include "bench/harness/timing.h"
 #include "models/metric/metric.h"
+#include "models/support_lines.h"
 
 const double contest_target[CONTEST_TARGETS] = {0.03, 0.02, 0.01, 0.005, 0.002};
 
@@ -85,8 +85,8 @@ static int fit_net(const struct contest *c, const struct contestant *who, int al
 {
     for (int n = along; n - who->degree <= 2 * (along - who->degree); n++) {
         const int across = contest_across(c, who, n);
-        if (net_fit_points(c->scene, 0, n, who->degree) == n &&
-            net_fit_points(c->scene, 1, across, who->degree) == across)
+        if (support_lines_points(c->scene, 0, n, who->degree) == n &&
+            support_lines_points(c->scene, 1, across, who->degree) == across)
             return n;
     }
     return along;
@@ -98,7 +98,7 @@ int contest_fit(const struct contest *c, const struct contestant *who,
     if (axis == CONTEST_NET)
         return fit_net(c, who, size);
     const int fit =
-        axis == CONTEST_ACROSS ? net_fit_points(c->scene, 1, size, who->degree) : 0;
+        axis == CONTEST_ACROSS ? support_lines_points(c->scene, 1, size, who->degree) : 0;
     return fit ? fit : size;
 }
 

@@ -81,8 +81,8 @@ struct contest_at contest_moved(const struct contest *c, const struct contest_at
                                 enum contest_axis axis, int size);
 
 /* Returns the least size along an axis, this one or more, with lines of the net where the
- * scene's supports begin and end (net_fit.h), up to twice the spans; `size` itself where
- * there is none. The square cells of a net fit, too. */
+ * scene's supports begin and end (support_lines.h), up to twice the spans; `size` itself
+ * where there is none. The square cells of a net fit, too. */
 int contest_fit(const struct contest *c, const struct contestant *who,
                 enum contest_axis axis, int size);
 

@@ -2,9 +2,9 @@
 
 #include <math.h>
 
-#include "bench/harness/net_fit.h"
 #include "iga/support_knots.h"
 #include "models/contact/contact.h"
+#include "models/support_lines.h"
 #include "models/vector.h"
 
 /* Bounds: span over thickness from which degree 2 loses a tenth; thickness over side; share
@@ -174,14 +174,14 @@ static int fitting_points(const struct run *r, int along)
 {
     const struct discretization *d = &r->discretization;
     const int points = d->points[along], degree = d->degree[along],
-              fit = net_fit_points(&r->scene, along, points, degree),
+              fit = support_lines_points(&r->scene, along, points, degree),
               least = degree + 1 +
                       support_knots_repeats(&r->scene, along, degree,
                                             is_solid(r) ? SUPPORT_KNOTS_SOLID
                                                         : SUPPORT_KNOTS_SHELL);
 
-    if (is_around(r, along)) /* as many lines as points, and the first is the last */
-        return fmax(0, net_fit_points(&r->scene, along, points + 1, 1) - 1);
+    if (is_around(r, along))
+        return fit;
     return d->knots[along] ? points : degree > 1 && fit && fit < least ? least : fit;
 }
 

@@ -2,6 +2,7 @@
  * on a strip or along a line vibrates and falls as its free wing alone does, which is held
  * along an edge. */
 #include "iga/support_knots.h"
+#include "models/support_lines.h"
 #include "tests/opened_run.h"
 
 enum { MOST = 24, ENDS = 3 };
@@ -101,7 +102,7 @@ static void check_held(void)
         const struct scene scene = {.support_count = 1, .supports = &s};
         REQUIRE(support_knots_hold(&scene, basis, &held) == STATUS_OK);
         CHECK(held->lo[1] == .5 && held->hi[1] == .5);
-        CHECK(!support_knots_clamps_line(&s, 1));
+        CHECK(!support_lines_clamped(&s, 1));
         free(held);
     }
     for (int i = 0; i < 2; i++)

@@ -125,10 +125,7 @@ enum status spring_motion_init(struct spring_motion *m, const struct scene *scen
     if (in_squares(m) && m->net.mesh.rows)
         TRY(make_stencil(m, d));
     TRY(make_march(m, why));
-    m->rest_energy = spring_motion_elastic(m);
 out:
-    if (st != STATUS_OK)
-        spring_motion_clear(m);
     return st;
 }
 
@@ -216,18 +213,9 @@ out:
     return st;
 }
 
-double spring_motion_elastic(const struct spring_motion *m)
-{
-    return !in_squares(m)     ? spring_forms_energy(&m->lengths.forms, m->net.x,
-                                                    spring_force_energy(&m->springs, m->net.x))
-           : m->net.mesh.rows ? spring_stencil_energy(&m->stencil, m->net.x)
-                              : tri_shell_energy(&m->shell, m->net.x);
-}
-
 void spring_motion_energy(const void *motion, struct energy *energy)
 {
     const struct spring_motion *m = motion;
 
-    net_energy(&m->net, march_velocity(&m->march), energy);
-    energy->elastic = spring_motion_elastic(m) - m->rest_energy;
+    net_march_energy(&m->net, &m->march, energy);
 }

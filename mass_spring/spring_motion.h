@@ -50,7 +50,6 @@ struct spring_motion {
     enum integrator integrator;
     int degree; /* of the surface; 0: bilinear                                         */
     double strain_limit; /* 0: none                                                   */
-    double rest_energy;  /* round-off of the energy at rest                     [J]   */
     struct spring_lengths lengths; /* implicit and explicit                         */
     struct spring_stencil stencil; /* leapfrog and momentum, as what follows        */
     struct spring_strips strips;
@@ -66,9 +65,6 @@ void spring_motion_clear(void *motion);
 /* Implement model.h's entries for a struct spring_motion: step that of advance. */
 enum status spring_motion_step(void *motion, struct counters *counters);
 void spring_motion_energy(const void *motion, struct energy *energy);
-
-/* Returns the elastic energy of x [J], with its round-off at rest. */
-double spring_motion_elastic(const struct spring_motion *m);
 
 /* Moves free points of x[nodes][3] until no spring is longer than (1 + limit) times its
  * rest length; limit > 0. */

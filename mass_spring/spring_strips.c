@@ -245,7 +245,5 @@ enum status spring_strips_init(struct spring_strips *s,
         TRY(STATUS_MEMORY);
     find_pairs(s);
 out:
-    if (st != STATUS_OK)
-        spring_strips_clear(s);
     return st;
 }

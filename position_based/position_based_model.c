@@ -313,8 +313,6 @@ enum status pb_motion_init(struct pb_motion *m, const struct scene *scene,
     TRY(make_contact(m));
     TRY(make_sweep(m, d->precision));
 out:
-    if (st != STATUS_OK)
-        pb_motion_clear(m);
     return st;
 }
 

@@ -322,8 +322,6 @@ enum status pd_motion_init(struct pd_motion *m, const struct scene *scene,
     if (options->second)
         TRY(remember(m));
 out:
-    if (st != STATUS_OK)
-        pd_motion_clear(m);
     return st;
 }
 

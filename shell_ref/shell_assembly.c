@@ -163,7 +163,18 @@ static void add_tangent(const void *self, int thread, int element,
 
 static enum status energy_of(const void *self, const double *x, double *energy)
 {
-    return shell_assembly_energy(self, x, energy);
+    const struct shell_assembly *s = self;
+    struct shell_element *e = &s->work[0];
+
+    *energy = 0;
+    for (int n = 0; n < s->space->elements; n++) {
+        shell_element_load(e, s->space, n, SHELL_PARTS);
+        gather(s->space, n, x, e->X[0]);
+        if (!shell_element_strain(e, rest_of(s, n).part, false))
+            return STATUS_NAN;
+        *energy += shell_element_energy(e, material_of(s, n), rest_of(s, n).part);
+    }
+    return STATUS_OK;
 }
 
 static struct large_body body_of(const struct shell_assembly *s)
@@ -222,20 +233,4 @@ enum status shell_assembly_init(struct shell_assembly *s, const struct shell_spa
 out:
     shell_assembly_clear(&new);
     return st;
-}
-
-enum status shell_assembly_energy(const struct shell_assembly *s, const double *x,
-                                  double *energy)
-{
-    struct shell_element *e = &s->work[0];
-
-    *energy = 0;
-    for (int n = 0; n < s->space->elements; n++) {
-        shell_element_load(e, s->space, n, SHELL_PARTS);
-        gather(s->space, n, x, e->X[0]);
-        if (!shell_element_strain(e, rest_of(s, n).part, false))
-            return STATUS_NAN;
-        *energy += shell_element_energy(e, material_of(s, n), rest_of(s, n).part);
-    }
-    return STATUS_OK;
 }

@@ -37,8 +37,4 @@ enum status shell_assembly_init(struct shell_assembly *s, const struct shell_spa
                                 struct message *why);
 void shell_assembly_clear(struct shell_assembly *s);
 
-/* Returns elastic energy at x[nodes][3] [J]. STATUS_NAN where the surface has no normal. */
-enum status shell_assembly_energy(const struct shell_assembly *s, const double *x,
-                                  double *energy);
-
 #endif

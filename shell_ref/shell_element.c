@@ -188,15 +188,6 @@ static int row_of(const struct shell_points *p, int row)
 
 /* --- the tangent --- */
 
-/* Computes e->K on the geometry e->X[1], by the path's shares: s1 times the material part
- * (the membrane's s1 + lag) plus g1 times the geometric part with the stress of e->strain.
- * In steps by mean forces (g1 < 1) bending moments have no geometric part: beside the rest
- * of bending it is as the angle that a span turns by to 1, and bending itself is little
- * beside inertia. Newton's method takes the same tangents and iterations without it
- * (edge_drop, cloak, h/L 1e-3 to 1e-2), a tangent of degree 3 for .74 of the time. */
-void shell_element_tangent(struct shell_element *e, const struct shell_material *material,
-                           const double *const rest[], const struct large_path *path);
-
 /* Functions go four at a time. The numbers of a point are ordered [group of four][number],
  * so that all of them are at fixed distances: with strides that are not known to the
  * compiler, the kernel spends twice its time on addresses. */

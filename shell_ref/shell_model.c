@@ -396,26 +396,6 @@ out:
     return st;
 }
 
-/* Finds the parity under linear kinematics of a flat sheet whose normal is a coordinate
- * axis and that has no frames: bending and stretching do not couple; m->parity is 1 for
- * components along the normal, NULL elsewhere. */
-static enum status find_parity(struct shell *m)
-{
-    const struct scene *s = m->scene;
-    const int count = 3 * m->space.nodes;
-    int normal = -1;
-
-    for (int i = 0; i < 3 && s->shape == SCENE_FLAT && s->sheets < 2; i++)
-        if (s->axis_u[i] == 0 && s->axis_v[i] == 0)
-            normal = i;
-    if (normal < 0 || m->supports.frame_count)
-        return STATUS_OK;
-    m->parity = malloc((size_t)count);
-    for (int t = 0; m->parity && t < count; t++)
-        m->parity[t] = t % 3 == normal;
-    return m->parity ? STATUS_OK : STATUS_MEMORY;
-}
-
 /* Finds the surface's point in the control points: contact_row. */
 static int row(const void *motion, double u, double v, int *node, double *shape)
 {
@@ -505,7 +485,8 @@ static enum status build(struct shell *m, const struct discretization *d,
     TRY(shell_assembly_init(&m->assembly, &m->space, scene_sheets(scene), material, why));
     TRY(hold(m, why));
     TRY(make_masses(m, d, why));
-    TRY(find_parity(m));
+    if (!m->supports.frame_count)
+        TRY(system_parity(scene, m->space.nodes, 1, &m->parity));
     m->march = (struct march){
         .body = m->assembly.body,
         .scene = m->scene,

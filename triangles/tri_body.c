@@ -654,8 +654,6 @@ enum status tri_body_init(struct tri_body *b, const struct scene *scene,
     b->body.slab = b->slab;
     TRY(make_rooms(b));
 out:
-    if (st != STATUS_OK)
-        tri_body_clear(b);
     return st;
 }
 

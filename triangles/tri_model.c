@@ -8,11 +8,6 @@
 #include "models/mechanics/pencil.h"
 #include "models/net/spring_net.h"
 
-static double elastic(const struct tri_motion *m, const double *x)
-{
-    return m->meshed ? tri_shell_energy(&m->shell, x) : tri_body_energy(&m->body, x);
-}
-
 static enum status make_march(struct tri_motion *m, const struct discretization *d,
                               struct message *why)
 {
@@ -39,30 +34,6 @@ static enum status make_swept(struct tri_motion *m, const struct discretization 
     return spring_stencil_init(&m->stencil, m->net.scene, mesh, NULL, &m->triangles.forms);
 }
 
-static enum status build(struct tri_motion *m, const struct scene *scene,
-                         const struct discretization *d, struct message *why)
-{
-    enum status st;
-
-    TRY(net_init(&m->net, scene, d, why));
-    if (m->meshed) {
-        TRY(tri_shell_init(&m->shell, scene, &m->net.mesh, OWN(tri_own, d)->membrane,
-                           d->bending, OWN(tri_own, d)->arc == TRI_ARC_ON));
-        if (march_explicit(d))
-            mesh_weigh_edges(&m->net.mesh, scene->density * scene->thickness, m->net.mass);
-    } else {
-        TRY(tri_net_init(&m->triangles, scene, &m->net.mesh, d->bending));
-        TRY(tri_body_init(&m->body, scene, &m->triangles, OWN(tri_own, d)->membrane));
-    }
-    m->rest_energy = elastic(m, m->net.x);
-    if (!m->meshed && d->integrator == INTEGRATOR_LEAPFROG &&
-        d->bending == BENDING_QUADRATIC)
-        TRY(make_swept(m, d));
-    TRY(make_march(m, d, why));
-out:
-    return st;
-}
-
 static void tri_motion_clear(void *motion)
 {
     struct tri_motion *m = motion;
@@ -74,20 +45,6 @@ static void tri_motion_clear(void *motion)
     tri_net_clear(&m->triangles);
     net_clear(&m->net);
     memset(m, 0, sizeof *m);
-}
-
-/* Initialises; *m must stay where it is: it holds pointers into itself. */
-static enum status tri_motion_init(struct tri_motion *m, const struct scene *scene,
-                                   const struct discretization *d, struct message *why)
-{
-    const bool meshed = !mesh_is_grid(d) || d->bending == BENDING_MIDEDGE;
-
-    *m = (struct tri_motion){.meshed = meshed, .asked = *d};
-    enum status st = build(m, scene, d, why);
-
-    if (st != STATUS_OK)
-        tri_motion_clear(m);
-    return st;
 }
 
 /* Gives turns, which have no mass in implicit steps, that of explicit ones, or takes it:
@@ -165,8 +122,7 @@ static void tri_motion_energy(const void *state, struct energy *energy)
 {
     const struct tri_motion *m = state;
 
-    net_energy(&m->net, march_velocity(&m->march), energy);
-    energy->elastic = elastic(m, m->net.x) - m->rest_energy;
+    net_march_energy(&m->net, &m->march, energy);
 }
 
 /* clang-format off */
@@ -234,9 +190,27 @@ static enum status refuse(const struct scene *scene, const struct discretization
 static enum status init(void *state, const struct scene *scene,
                         const struct discretization *d, struct message *why)
 {
-    const enum status st = refuse(scene, d, why);
+    enum status st;
+    struct tri_motion *m = state;
 
-    return st == STATUS_OK ? tri_motion_init(state, scene, d, why) : st;
+    TRY(refuse(scene, d, why));
+    m->meshed = !mesh_is_grid(d) || d->bending == BENDING_MIDEDGE, m->asked = *d;
+    TRY(net_init(&m->net, scene, d, why));
+    if (m->meshed) {
+        TRY(tri_shell_init(&m->shell, scene, &m->net.mesh, OWN(tri_own, d)->membrane,
+                           d->bending, OWN(tri_own, d)->arc == TRI_ARC_ON));
+        if (march_explicit(d))
+            mesh_weigh_edges(&m->net.mesh, scene->density * scene->thickness, m->net.mass);
+    } else {
+        TRY(tri_net_init(&m->triangles, scene, &m->net.mesh, d->bending));
+        TRY(tri_body_init(&m->body, scene, &m->triangles, OWN(tri_own, d)->membrane));
+    }
+    if (!m->meshed && d->integrator == INTEGRATOR_LEAPFROG &&
+        d->bending == BENDING_QUADRATIC)
+        TRY(make_swept(m, d));
+    TRY(make_march(m, d, why));
+out:
+    return st;
 }
 
 static void probe(const void *state, int n, const double *uvw, double *xyz)

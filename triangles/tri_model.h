@@ -42,7 +42,6 @@ struct tri_motion {
     struct spring_cells cells; /* swept only, as what follows                    */
     struct spring_stencil stencil;
     struct spring_body swept; /* net NULL: steps are not spring_leapfrog.h's              */
-    double rest_energy; /* round-off of the energy at rest                       [J]   */
 };
 
 extern const struct model tri_model;

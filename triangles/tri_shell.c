@@ -751,7 +751,5 @@ enum status tri_shell_init(struct tri_shell *s, const struct scene *scene,
         .force = add_force,
         .tangent = add_tangent};
 out:
-    if (st != STATUS_OK)
-        tri_shell_clear(s);
     return st;
 }

@@ -227,8 +227,6 @@ enum status vb_body_init(struct vb_body *b, const struct vb_parts *parts)
     TRY(list_elements(b, parts));
     TRY(colour_nodes(b));
 out:
-    if (st != STATUS_OK)
-        vb_body_clear(b);
     return st;
 }
 

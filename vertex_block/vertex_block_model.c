@@ -119,27 +119,6 @@ out:
     return st;
 }
 
-/* Initialises; *m must stay where it is: it holds pointers into itself. */
-static enum status vb_motion_init(struct vb_motion *m, const struct scene *scene,
-                                  const struct discretization *d, struct message *why)
-{
-    enum status st;
-
-    *m = (struct vb_motion){.own = *OWN(vb_own, d), .substeps = d->substeps};
-    m->dt = scene->step / m->substeps;
-    TRY(net_init(&m->net, scene, d, why));
-    TRY(make_body(m, d->bending));
-    TRY(allocate(m));
-    m->rest_energy = elastic(m);
-    TRY(make_contact(m));
-    net_arrive(&m->net, d->iterations, MOST_SWEEPS, m->dt, &m->arrival);
-    m->arrival.descends = !(m->own.chebyshev > 0);
-out:
-    if (st != STATUS_OK)
-        vb_motion_clear(m);
-    return st;
-}
-
 /* --- steps -------------------------------------------------------------------------------
  */
 
@@ -318,9 +297,21 @@ out:
 static enum status init(void *state, const struct scene *scene,
                         const struct discretization *d, struct message *why)
 {
-    const enum status st = refuse(scene, d, why);
+    enum status st;
+    struct vb_motion *m = state;
 
-    return st == STATUS_OK ? vb_motion_init(state, scene, d, why) : st;
+    TRY(refuse(scene, d, why));
+    m->own = *OWN(vb_own, d), m->substeps = d->substeps;
+    m->dt = scene->step / m->substeps;
+    TRY(net_init(&m->net, scene, d, why));
+    TRY(make_body(m, d->bending));
+    TRY(allocate(m));
+    m->rest_energy = elastic(m);
+    TRY(make_contact(m));
+    net_arrive(&m->net, d->iterations, MOST_SWEEPS, m->dt, &m->arrival);
+    m->arrival.descends = !(m->own.chebyshev > 0);
+out:
+    return st;
 }
 
 /* Describes the steps, and hinges that do not bend by the scene's law. */

@@ -70,11 +70,6 @@ struct leapfrog {
     double *krylov;            /* with m->beyond: work                                    */
 };
 
-static size_t count_of(const struct leapfrog *l)
-{
-    return 3 * (size_t)l->m->graph->nodes;
-}
-
 static double step_of(const struct leapfrog *l)
 {
     return l->m->dt / l->substeps;
@@ -96,7 +91,7 @@ static void make_mass(struct leapfrog *l)
 {
     const struct march *m = l->m;
 
-    for (size_t t = 0; t < count_of(l); t++) {
+    for (size_t t = 0; t < march_count(l->m); t++) {
         double mass = m->M[m->graph->start[t / 3]];
         l->inverse[t] = m->supports->free_index[t] < 0 ? 0 : 1 / mass;
         if (l->fixed)
@@ -128,7 +123,7 @@ static enum status make(struct march *m, const struct discretization *d,
 {
     enum status st;
     struct leapfrog *l = NULL;
-    size_t count = 3 * (size_t)m->graph->nodes;
+    size_t count = march_count(m);
     bool meets = m->contact != NULL, moving = m->supports->moving;
     size_t held = moving ? (size_t)m->supports->held_count : 0;
 
@@ -160,7 +155,7 @@ out:
 static void divide(const struct leapfrog *l, double *F)
 {
     supports_to_frames(l->m->supports, F);
-    for (size_t t = 0; t < count_of(l); t++)
+    for (size_t t = 0; t < march_count(l->m); t++)
         F[t] *= l->inverse[t];
     supports_from_frames(l->m->supports, F);
 }
@@ -170,7 +165,7 @@ static void add_beyond(const struct leapfrog *l, double *a)
 {
     blocks_multiply_mass(l->m->graph, l->m->beyond, a, l->image);
     divide(l, l->image);
-    for (size_t t = 0; t < count_of(l); t++)
+    for (size_t t = 0; t < march_count(l->m); t++)
         a[t] += l->image[t];
 }
 
@@ -179,7 +174,7 @@ static void velocity_of(void *self, const double *momentum, double *v)
 {
     const struct leapfrog *l = self;
 
-    memcpy(v, momentum, count_of(l) * sizeof *v);
+    memcpy(v, momentum, march_count(l->m) * sizeof *v);
     divide(l, v);
     add_beyond(l, v);
 }
@@ -189,9 +184,9 @@ static enum status heavy(void *self, const double *v, double *momentum)
 {
     const struct leapfrog *l = self;
 
-    memcpy(momentum, v, count_of(l) * sizeof *v);
+    memcpy(momentum, v, march_count(l->m) * sizeof *v);
     supports_to_frames(l->m->supports, momentum);
-    for (size_t t = 0; t < count_of(l); t++)
+    for (size_t t = 0; t < march_count(l->m); t++)
         momentum[t] = l->inverse[t] > 0 ? momentum[t] / l->inverse[t] : 0;
     supports_from_frames(l->m->supports, momentum);
     return STATUS_OK;
@@ -205,12 +200,12 @@ static double kinetic(const struct leapfrog *l, double tolerance)
     bool done = true;
 
     if (m->beyond) {
-        struct krylov k = {.n = (int)count_of(l),
+        struct krylov k = {.n = (int)march_count(l->m),
                            .self = (void *)l,
                            .multiply = velocity_of,
                            .precondition = heavy,
                            .tolerance = tolerance,
-                           .most = (int)count_of(l),
+                           .most = (int)march_count(l->m),
                            .work = l->krylov};
         if (krylov_cg(&k, v, l->momentum, &done) != STATUS_OK)
             return NAN;
@@ -219,7 +214,7 @@ static double kinetic(const struct leapfrog *l, double tolerance)
         blocks_multiply_mass(m->graph, m->M, v, y);
     }
     supports_zero(m->supports, y);
-    for (size_t t = 0; t < count_of(l); t++)
+    for (size_t t = 0; t < march_count(l->m); t++)
         sum += v[t] * y[t] / 2;
     return sum;
 }
@@ -240,7 +235,7 @@ static enum status damp_plain(struct leapfrog *l)
 
     TRY(large_body_tangent(&m->body, &path, m->x, (struct large_foresight){0}, m->V));
     blocks_multiply(m->graph, (const double(*)[9])m->V, m->v, m->work);
-    for (size_t t = 0; t < count_of(l); t++)
+    for (size_t t = 0; t < march_count(l->m); t++)
         l->a[t] += m->beta * m->work[t];
 out:
     return st;
@@ -259,9 +254,9 @@ static enum status accelerate(struct leapfrog *l, struct counters *counters)
     if (m->V)
         TRY(damp_plain(l));
     if (m->pressure.value != 0) {
-        memset(l->blow, 0, count_of(l) * sizeof *l->blow);
+        memset(l->blow, 0, march_count(l->m) * sizeof *l->blow);
         pressure_force(&m->pressure, 1, NULL, 1, m->x, l->blow);
-        for (size_t t = 0; t < count_of(l); t++)
+        for (size_t t = 0; t < march_count(l->m); t++)
             a[t] -= l->blow[t];
     }
     if (rate > 0)
@@ -270,7 +265,7 @@ static enum status accelerate(struct leapfrog *l, struct counters *counters)
         l->pull[h] =
             supports_get(m->supports, h, a) - supports_get(m->supports, h, m->load);
     counters->assemblies++;
-    for (size_t t = 0; t < count_of(l); t++)
+    for (size_t t = 0; t < march_count(l->m); t++)
         a[t] = m->load[t] - a[t];
     divide(l, a);
     if (m->beyond)
@@ -293,7 +288,7 @@ static enum status store(struct leapfrog *l, double *elastic)
     if (m->contact)
         *elastic += m->contact->energy;
     l->stored = *elastic;
-    for (size_t t = 0; t < count_of(l); t++)
+    for (size_t t = 0; t < march_count(l->m); t++)
         l->stored -= m->load[t] * (m->x[t] - m->rest[t]);
     return st;
 }
@@ -306,7 +301,7 @@ static enum status begin(struct leapfrog *l, double t, struct counters *counters
     double elastic, *x_before = m->newton;
 
     march_follow(m, t);
-    for (size_t k = 0; rate_of(l) > 0 && k < count_of(l); k++)
+    for (size_t k = 0; rate_of(l) > 0 && k < march_count(l->m); k++)
         x_before[k] = m->x[k] - step_of(l) * m->v[k];
     if (rate_of(l) > 0)
         TRY(large_body_strain(&m->body, x_before, m->strain_old));
@@ -360,7 +355,7 @@ static void add_work(struct leapfrog *l)
 
     for (int h = 0; s->moving && h < s->held_count; h++)
         l->work += l->pull[h] * l->shift[h] / 2;
-    for (size_t t = 0; l->m->pressure.value != 0 && t < count_of(l); t++)
+    for (size_t t = 0; l->m->pressure.value != 0 && t < march_count(l->m); t++)
         l->work += l->blow[t] * half * l->m->v[t];
 }
 
@@ -374,7 +369,7 @@ static enum status meet(struct leapfrog *l, double t, double dt)
         l->compliance[a] = dt * dt / share / m->M[m->graph->start[a]];
     contact_begin(m->contact, t, dt, l->before);
     enum status st = contact_project(m->contact, l->compliance, l->fixed, m->x);
-    for (size_t k = 0; m->contact->count && k < count_of(l); k++)
+    for (size_t k = 0; m->contact->count && k < march_count(l->m); k++)
         if (l->fixed[k] >= 0)
             m->v[k] = (m->x[k] - l->before[k]) / dt;
     l->work += contact_body_work(m->contact, m->x);
@@ -391,7 +386,7 @@ static void kick(struct leapfrog *l, double keep, double push)
 
     supports_to_frames(s, v);
     supports_to_frames(s, l->a);
-    for (size_t t = 0; t < count_of(l); t++)
+    for (size_t t = 0; t < march_count(l->m); t++)
         v[t] = l->inverse[t] > 0 ? keep * v[t] + push * l->a[t] : v[t];
     supports_from_frames(s, v);
     supports_from_frames(s, l->a);
@@ -412,8 +407,8 @@ static enum status run(struct leapfrog *l, double t, struct counters *counters)
         else
             kick(l, 1 - half, dt / 2);
         if (l->before)
-            memcpy(l->before, m->x, count_of(l) * sizeof *m->x);
-        for (size_t k = 0; k < count_of(l); k++)
+            memcpy(l->before, m->x, march_count(l->m) * sizeof *m->x);
+        for (size_t k = 0; k < march_count(l->m); k++)
             m->x[k] += dt * m->v[k];
         if (moving)
             move_supports(l, t + (n + 1) * dt, dt);
@@ -450,7 +445,7 @@ static enum status judge(struct leapfrog *l)
 /* Restores the state where the frame began. */
 static void restore(struct leapfrog *l, double work)
 {
-    size_t bytes = count_of(l) * sizeof *l->a;
+    size_t bytes = march_count(l->m) * sizeof *l->a;
 
     memcpy(l->m->x, l->x_start, bytes);
     memcpy(l->m->v, l->v_start, bytes);
@@ -478,7 +473,7 @@ static enum status step(struct march *m, double t, struct counters *counters)
 {
     enum status st = STATUS_OK;
     struct leapfrog *l = m->own;
-    size_t bytes = count_of(l) * sizeof *m->x;
+    size_t bytes = march_count(l->m) * sizeof *m->x;
     bool first = !m->started;
     double work = l->work;
 

@@ -45,11 +45,6 @@ enum { STAY = 10, LONGEST = 1 << 20 };
 /* Substeps are step / 2^0 ... step / 2^HALVINGS. */
 enum { HALVINGS = 8, FINEST = 1 << HALVINGS };
 
-static size_t count_of(const struct march *m)
-{
-    return 3 * (size_t)m->graph->nodes;
-}
-
 /* Moves held unknowns of x to the step's end; mass (x - hat) becomes their inertia. */
 static void move_supports(struct march *m, double t, double dt, double mass,
                           const double *x_old, double *hat)
@@ -73,7 +68,7 @@ static void move_supports(struct march *m, double t, double dt, double mass,
  * Those of supports that turn grow with the way that the sheet is stretched in them. */
 static void finish(struct march *m, double t, double dt, const double *x_old)
 {
-    size_t count = count_of(m);
+    size_t count = march_count(m);
     const double *v_held = m->held + m->supports->held_count;
 
     if (m->supports->moving && m->supports->frame_count) {
@@ -93,7 +88,7 @@ static void finish(struct march *m, double t, double dt, const double *x_old)
  * and none where the last step touched, since what contact adds to it changes at once. */
 static void guess(struct march *m, double dt, double end)
 {
-    const size_t count = count_of(m);
+    const size_t count = march_count(m);
 
     if (m->contact && m->contact->count)
         end = 0;
@@ -110,7 +105,7 @@ static void guess(struct march *m, double dt, double end)
  * not known, is one. */
 static void learn(struct march *m, double dt)
 {
-    const size_t count = count_of(m);
+    const size_t count = march_count(m);
     double *change = m->work, least = INFINITY;
 
     if (dt != m->past_dt)
@@ -164,7 +159,7 @@ static enum status keep_strains(struct march *m, double dt)
 static enum status substep(struct march *m, double t, double dt, struct counters *counters)
 {
     enum status st;
-    size_t count = count_of(m);
+    size_t count = march_count(m);
     double *x_old = m->newton, *hat = m->newton + count;
     double end = m->euler ? 1 : 0.5; /* where forces are taken, in steps from x_old */
     double mass = 1 / (end * dt * dt) + m->alpha / dt, damping = m->V ? 0 : m->beta / dt;

@@ -4,11 +4,6 @@
 
 #include "models/mechanics/march_rest.h"
 
-static size_t count_of(const struct march *m)
-{
-    return 3 * (size_t)m->graph->nodes;
-}
-
 double integrator_newmark_k(const struct march *m)
 {
     return m->dt * m->dt / 4 + m->beta * m->dt / 2;
@@ -23,7 +18,7 @@ double integrator_newmark_m(const struct march *m)
  * is given, from rhs. */
 static void subtract_held(struct march *m, const struct march_held *held, double *rhs)
 {
-    const size_t count = count_of(m);
+    const size_t count = march_count(m);
     double *x = m->work + count, *y = m->work + 2 * count;
 
     memset(x, 0, count * sizeof *x);
@@ -45,7 +40,7 @@ static void subtract_held(struct march *m, const struct march_held *held, double
  * in m->work. */
 static void predict(struct march *m, const struct march_held *held)
 {
-    const size_t count = count_of(m);
+    const size_t count = march_count(m);
     const double dt = m->dt, c = dt * dt / 4, k = integrator_newmark_k(m),
                  mass = integrator_newmark_m(m);
     double *w = m->work, *z = m->work + count;
@@ -68,7 +63,7 @@ static void correct(struct march *m, const struct march_held *held)
 {
     const double dt = m->dt, c = dt * dt / 4, k = integrator_newmark_k(m), *w = m->work;
 
-    for (size_t t = 0; t < count_of(m); t++) {
+    for (size_t t = 0; t < march_count(m); t++) {
         const double p = m->d[t] + dt * m->v[t] + c * m->a[t];
         const double q = m->v[t] + dt / 2 * m->a[t];
         m->a[t] = w[t] - (p + m->beta * q) / k;
@@ -103,7 +98,7 @@ static enum status begin(struct march *m, const struct march_held *held,
 {
     enum status st;
     const int held_count = held ? m->supports->held_count : 0;
-    const size_t count = count_of(m);
+    const size_t count = march_count(m);
     double *x = m->work, *y = m->work + count;
 
     for (int h = 0; h < held_count; h++) {
@@ -137,7 +132,7 @@ out:
 
 static void place(struct march *m)
 {
-    for (size_t t = 0; t < count_of(m); t++)
+    for (size_t t = 0; t < march_count(m); t++)
         m->x[t] = m->rest[t] + m->d[t];
 }
 

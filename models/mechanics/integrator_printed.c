@@ -54,7 +54,7 @@ static enum status step(struct march *m, double t, struct counters *counters)
 {
     enum status st;
     struct march_held held;
-    const size_t count = 3 * (size_t)m->graph->nodes;
+    const size_t count = march_count(m);
 
     if (m->kinematics == KINEMATICS_INCREMENTAL)
         memset(m->d, 0, count * sizeof *m->d);

@@ -324,7 +324,7 @@ enum status large_newton_solve(struct march *m, const struct large_equation *q, 
 {
     static const struct newton_owner owner = {residual, setup,   solve, limit,
                                               take,     touches, judge};
-    const size_t count = 3 * (size_t)m->graph->nodes;
+    const size_t count = march_count(m);
     struct equation e = {.m = m, .q = q, .work = m->newton + 2 * count};
     struct newton n = {.owner = &owner,
                        .self = &e,

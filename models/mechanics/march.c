@@ -29,11 +29,6 @@ bool march_explicit(const struct discretization *d)
     return integrator_of(d)->explicit;
 }
 
-static size_t count_of(const struct march *m)
-{
-    return 3 * (size_t)m->graph->nodes;
-}
-
 void march_clear(struct march *m)
 {
     if (m->own)
@@ -54,7 +49,7 @@ void march_clear(struct march *m)
 static enum status make_room(struct march *m)
 {
     enum status st;
-    const size_t count = count_of(m), pairs = (size_t)m->graph->start[m->graph->nodes];
+    const size_t count = march_count(m), pairs = (size_t)m->graph->start[m->graph->nodes];
     double *x = NULL, *load = NULL, *M = NULL;
 
     TRY(room_cut(&m->room, ROOM(m->d, 3 * count), ROOM(m->work, 3 * count),
@@ -78,7 +73,7 @@ out:
 
 static enum status make_tangents(struct march *m)
 {
-    const size_t count = count_of(m), pairs = (size_t)m->graph->start[m->graph->nodes];
+    const size_t count = march_count(m), pairs = (size_t)m->graph->start[m->graph->nodes];
     const bool large = m->kinematics == KINEMATICS_NONLINEAR,
                viscous = m->lag > 0 || m->relief;
     const size_t strains = large ? large_body_strains(&m->body) : 0;
@@ -170,7 +165,7 @@ static void start_moving(struct march *m)
     if (!(scene_needs(m->scene) & SCENE_NEED_INITIAL_MOTION))
         return;
     supports_initial_velocity(m->supports, m->scene, m->rest, m->uvw, v);
-    for (size_t t = 0; t < count_of(m); t++)
+    for (size_t t = 0; t < march_count(m); t++)
         if (m->kinematics == KINEMATICS_INCREMENTAL)
             m->d[t] = m->dt * v[t]; /* for the energy, until a step */
         else if (printed)
@@ -206,7 +201,7 @@ out:
 
 void march_still(struct march *m, double t)
 {
-    memset(m->d, 0, 3 * count_of(m) * sizeof *m->d); /* d, v and a */
+    memset(m->d, 0, 3 * march_count(m) * sizeof *m->d); /* d, v and a */
     m->time = t;
     m->started = false;
     m->orders = 0;
@@ -232,7 +227,7 @@ void march_weigh(struct march *m)
                 (density_at(m, a) * s->gravity[i] + s->drag * s->wind[i]) * m->depth;
             m->load[3 * a + i] = force * m->measure[a];
         }
-    for (size_t t = 0; m->dead && t < count_of(m); t++)
+    for (size_t t = 0; m->dead && t < march_count(m); t++)
         m->load[t] += m->dead[t];
 }
 
@@ -279,7 +274,7 @@ static void damp(struct march *m)
     if (m->kinematics != KINEMATICS_PRINTED)
         supports_damp(m->supports, m->keep, m->v);
     else
-        for (size_t t = 0; t < count_of(m); t++)
+        for (size_t t = 0; t < march_count(m); t++)
             m->v[t] *= m->keep;
 }
 
@@ -335,7 +330,7 @@ void march_energy(const void *state, struct energy *energy)
 {
     const struct march *m = state;
     const struct scene *s = m->scene;
-    const size_t count = count_of(m);
+    const size_t count = march_count(m);
     const bool rebuilt = kinematics_rebuilds(m->kinematics);
     const double *v = rebuilt ? m->d : m->v; /* there d is the last step's increment */
     double potential = 0;

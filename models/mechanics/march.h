@@ -149,6 +149,12 @@ extern const struct march_integrator integrator_newmark, integrator_printed;
     extern const struct march_integrator integrator_##file;
 INTEGRATORS(MARCH_DECLARE)
 
+/* Returns the numbers of a vector field. */
+static inline size_t march_count(const struct march *m)
+{
+    return 3 * (size_t)m->graph->nodes;
+}
+
 /* Tells whether the scheme asked for is explicit. */
 bool march_explicit(const struct discretization *d);
 

@@ -59,7 +59,7 @@ static double sliding(const struct contact *c)
 static enum status unbalanced(struct march *m, double *share)
 {
     enum status st;
-    const size_t count = 3 * (size_t)m->graph->nodes;
+    const size_t count = march_count(m);
     double *f = m->newton + 2 * count, *load = f + count, left = 0, borne = 0;
 
     memcpy(load, m->load, count * sizeof *load);
@@ -90,7 +90,7 @@ static enum status step_down(struct march *m, double mass, double *moved,
                              struct counters *counters)
 {
     enum status st;
-    size_t count = 3 * (size_t)m->graph->nodes;
+    size_t count = march_count(m);
     double *last = m->newton, *way = m->newton + 2 * count;
     const struct large_equation q = {
         .path = {.s1 = 1, .g1 = 1, .x_old = last, .strain_old = m->strain_old},
@@ -169,7 +169,7 @@ enum stage { LOADING, MOVING };
 
 static void begin(struct march *m)
 {
-    size_t count = 3 * (size_t)m->graph->nodes;
+    size_t count = march_count(m);
 
     march_still(m, m->time);
     memcpy(m->x, m->rest, count * sizeof *m->x);
@@ -200,7 +200,7 @@ static enum status increment_to(struct march *m, enum stage stage, double part,
                                 double ahead, struct counters *counters)
 {
     enum status st;
-    size_t count = 3 * (size_t)m->graph->nodes;
+    size_t count = march_count(m);
     const double *last = m->newton, *before = m->newton + count;
     const struct large_equation q = {
         .path = large_path_statics, .load = stage == LOADING ? part : 1, .limit = 30};
@@ -222,7 +222,7 @@ static enum status snap(struct march *m, enum stage stage, double part,
                         struct counters *counters)
 {
     enum status st;
-    const size_t bytes = 3 * (size_t)m->graph->nodes * sizeof(double);
+    const size_t bytes = march_count(m) * sizeof(double);
 
     memcpy(m->x, m->newton, bytes);
     place(m, stage, part);
@@ -242,7 +242,7 @@ struct progress {
 /* Accepts m->x, the shape at `part`. */
 static void accept(struct march *m, struct progress *p, enum stage stage, double part)
 {
-    size_t count = 3 * (size_t)m->graph->nodes;
+    size_t count = march_count(m);
     double *last = m->newton, *before = m->newton + count;
 
     memcpy(before, part > 0 ? last : m->x, count * sizeof *last);
@@ -289,7 +289,7 @@ static enum status follow(struct march *m, enum stage stage, struct counters *co
     }
     if (st == STATUS_OK && p.part < 1)
         st = STATUS_DIVERGED;
-    memcpy(m->x, m->newton, 3 * (size_t)m->graph->nodes * sizeof *m->x);
+    memcpy(m->x, m->newton, march_count(m) * sizeof *m->x);
     m->factored = -1;
     return st;
 }
@@ -366,7 +366,7 @@ enum status march_rest_linear(struct march *m, struct counters *counters,
                               struct message *why)
 {
     enum status st;
-    const size_t count = 3 * (size_t)m->graph->nodes;
+    const size_t count = march_count(m);
     double *r = m->work, change = 0;
 
     memset(m->d, 0, 3 * count * sizeof *m->d); /* d, v and a */

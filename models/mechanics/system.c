@@ -85,6 +85,22 @@ static int *order_unknowns(const struct supports *held, const int *order)
     return p;
 }
 
+enum status system_parity(const struct scene *scene, int nodes, int layers,
+                          unsigned char **parity)
+{
+    int normal = -1;
+
+    for (int i = 0; i < 3 && scene->shape == SCENE_FLAT && scene->sheets < 2; i++)
+        if (scene->axis_u[i] == 0 && scene->axis_v[i] == 0)
+            normal = i;
+    if (normal < 0)
+        return STATUS_OK;
+    *parity = malloc(3 * (size_t)nodes);
+    for (int t = 0; *parity && t < 3 * nodes; t++)
+        (*parity)[t] = (unsigned char)((t / 3 % layers + (t % 3 == normal)) % 2);
+    return *parity ? STATUS_OK : STATUS_MEMORY;
+}
+
 void system_clear(struct system *s)
 {
     factor_destroy(s->factor);

@@ -32,6 +32,14 @@ enum status system_init(struct system *s, const struct blocks *graph,
                         const int *order, const struct discretization *d);
 void system_clear(struct system *s);
 
+/* Finds the parity of a flat sheet, of functions of the mid-surface or of Legendre
+ * functions through the thickness, so many of each column, in linear kinematics: what moves
+ * along the normal by even ones, or across it by odd ones, is bending. *parity, owned by
+ * the caller, stays NULL unless there is one sheet whose normal is a coordinate axis.
+ * STATUS_MEMORY. */
+enum status system_parity(const struct scene *scene, int nodes, int layers,
+                          unsigned char **parity);
+
 /* Has a factored system, one of a row that differ little (system_update), solved by
  * conjugate gradients on an earlier factor, where a factorisation takes so long that this
  * pays. STATUS_MEMORY. */

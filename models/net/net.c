@@ -100,8 +100,6 @@ enum status net_init(struct net *net, const struct scene *scene,
     supports_initial_velocity(&net->supports, scene, mesh->rest,
                               (const double(*)[3])mesh->uvw, net->v);
 out:
-    if (st != STATUS_OK)
-        net_clear(net);
     return st;
 }
 
@@ -141,6 +139,7 @@ static enum status surface_of(const void *mesh, const struct scene *scene,
 enum status net_march(struct net *net, struct march *m, const struct discretization *d,
                       struct message *why)
 {
+    enum status st;
     const struct mesh *mesh = &net->mesh;
     const int points[] = {mesh->points[0], mesh->points[1], 1};
 
@@ -151,8 +150,8 @@ enum status net_march(struct net *net, struct march *m, const struct discretizat
     m->x = net->x;
     m->load = net->load;
     memcpy(m->net, points, sizeof m->net);
-    if (mesh->flat.triangles && mesh_order(mesh, &net->order) != STATUS_OK)
-        return STATUS_MEMORY;
+    if (mesh->flat.triangles)
+        TRY(mesh_order(mesh, &net->order));
     m->order = net->order;
     m->surface = surface_of, m->sheet = mesh;
     m->supports = &net->supports;
@@ -162,7 +161,10 @@ enum status net_march(struct net *net, struct march *m, const struct discretizat
     m->lag = m->euler ? 0 : march_lag;
     m->enough = m->euler ? d->iterations : 0;
     m->substeps = march_explicit(d) ? 1 : d->substeps; /* divides by itself */
-    return march_init(m, d, why);
+    TRY(march_init(m, d, why));
+    m->body.energy(m->body.self, net->x, &net->rest_energy);
+out:
+    return st;
 }
 
 void net_energy(const struct net *net, const double *v, struct energy *energy)
@@ -177,6 +179,13 @@ void net_energy(const struct net *net, const double *v, struct energy *energy)
     }
     energy->kinetic = kinetic;
     energy->potential = potential;
+}
+
+void net_march_energy(const struct net *net, const struct march *m, struct energy *energy)
+{
+    net_energy(net, march_velocity(m), energy);
+    m->body.energy(m->body.self, net->x, &energy->elastic);
+    energy->elastic -= net->rest_energy;
 }
 
 void net_probe(const void *state, int n, const double *uvw, double *xyz)

@@ -26,6 +26,7 @@ struct net {
     double *shift; /* [held_count] work                                      [m]      */
     double beta;   /* stiffness damping                                      [s]      */
     double keep;   /* factor on velocities after each frame                  [1]      */
+    double rest_energy; /* round-off of a march's elastic energy at rest     [J]      */
 };
 
 /* A refusal names what a net cannot do with the scene and choices at hand. */
@@ -67,8 +68,10 @@ void net_arrive(const struct net *net, int iterations, int most, double dt,
 enum status net_march(struct net *net, struct march *m, const struct discretization *d,
                       struct message *why);
 
-/* Computes kinetic and potential energy at net->x, of v; leaves the elastic one. */
+/* Computes kinetic and potential energy at net->x, of v; leaves the elastic one. Of a net
+ * that a march moves, all of them. */
 void net_energy(const struct net *net, const double *v, struct energy *energy);
+void net_march_energy(const struct net *net, const struct march *m, struct energy *energy);
 
 /* Implement model.h's entries for a state that begins with a net: the bilinear surface; the
  * free unknowns, which no system solves for; the contact of the last frame. */

@@ -311,8 +311,6 @@ enum status spring_soft_init(struct spring_soft *s, const struct scene *scene,
         TRY(STATUS_MEMORY);
     TRY(spring_forms_sort(&s->forms, net, ~0u));
 out:
-    if (st != STATUS_OK)
-        spring_soft_clear(s);
     return st;
 }
 

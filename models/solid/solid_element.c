@@ -72,8 +72,6 @@ enum status solid_element_init(struct solid_element *e, const struct solid_space
     e->rest = (struct solid_green_rest){e->g, e->mode, e->dV, e->A};
     TRY(solid_green_element_init(&e->green, space));
 out:
-    if (st != STATUS_OK)
-        solid_element_clear(e);
     return st;
 }
 

@@ -127,8 +127,6 @@ enum status solid_green_element_init(struct solid_green_element *e,
     if (space->layer)
         TRY(solid_layer_create(space, &e->layer));
 out:
-    if (st != STATUS_OK)
-        solid_green_element_clear(e);
     return st;
 }
 

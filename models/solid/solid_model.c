@@ -67,31 +67,6 @@ enum status solid_model_basis(const struct scene *scene, const struct discretiza
     return STATUS_OK;
 }
 
-/* Finds the parity of one flat sheet in Legendre functions through the thickness
- * (solid_space.h), 0/1 per component; NULL unless the normal is a coordinate axis.
- * STATUS_MEMORY. */
-static enum status find_parity(const struct scene *scene, int nodes, int layers,
-                               unsigned char **found)
-{
-    const double *u = scene->axis_u, *v = scene->axis_v;
-    double w[3];
-    int normal = -1;
-
-    scene_normal(scene, w);
-    for (int i = 0; i < 3 && scene->shape == SCENE_FLAT && scene->sheets < 2; i++)
-        if (fabs(w[i]) == 1 && u[i] == 0 && v[i] == 0)
-            normal = i;
-    if (normal < 0)
-        return STATUS_OK;
-    unsigned char *parity = *found = malloc(3 * (size_t)nodes);
-    if (!parity)
-        return STATUS_MEMORY;
-    for (int a = 0; a < nodes; a++)
-        for (int i = 0; i < 3; i++)
-            parity[3 * a + i] = (unsigned char)((a % layers + (i == normal)) % 2);
-    return STATUS_OK;
-}
-
 void solid_model_clear(struct solid_sheet *s)
 {
     march_clear(&s->march);
@@ -173,7 +148,7 @@ enum status solid_model_init(struct solid_sheet *s, const struct scene *scene,
     if (middle && !space->thickness_basis)
         TRY(solid_hinge_init(space, scene, points[2], middle, why));
     if (space->thickness_basis)
-        TRY(find_parity(scene, space->nodes, points[2], &space->parity));
+        TRY(system_parity(scene, space->nodes, points[2], &space->parity));
     memcpy(s->points, d->points, sizeof s->points);
     TRY(assemble(s, scene, d, why));
     s->march = (struct march){

@@ -77,10 +77,7 @@ const struct model spring_model = {
     .source = "Provot 1995; implicit steps: Baraff and Witkin 1998; bending: Choi and Ko "
               "2002; springs "
               "between control points: Li et al. 2019",
-    .serves = SCENE_NEED_CONTACT | SCENE_NEED_SELF_CONTACT | SCENE_NEED_MOVING_OBSTACLES |
-              SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |
-              SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_INITIAL_MOTION |
-              SCENE_NEED_SHEETS | SCENE_NEED_FABRIC | SCENE_NEED_SOFTENING,
+    .serves = NET_SERVES | SCENE_NEED_SOFTENING,
     .options = options,
     .defaults = {.points = {10, 10, 1},
                  .degree = {1, 1, 1},

@@ -527,10 +527,7 @@ const struct model position_based_model = {
     .title = "position-based constraints",
     .source = "Macklin, Mueller, Chentanez 2016 (XPBD), small steps: Macklin et al. 2019; "
               "Mueller et al. 2007 (PBD)",
-    .serves = SCENE_NEED_CONTACT | SCENE_NEED_SELF_CONTACT | SCENE_NEED_MOVING_OBSTACLES |
-              SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |
-              SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_INITIAL_MOTION |
-              SCENE_NEED_SHEETS | SCENE_NEED_FABRIC,
+    .serves = NET_SERVES,
     .options = options,
     .defaults = {.points = {10, 10, 1},
                  .degree = {1, 1, 1},

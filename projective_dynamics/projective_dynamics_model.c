@@ -141,10 +141,7 @@ const struct model projective_dynamics_model = {
     .title = "projective dynamics",
     .source = "Bouaziz, Martin, Liu, Kavan, Pauly 2014; on springs Liu et al. 2013; "
               "acceleration: Wang 2015",
-    .serves = SCENE_NEED_CONTACT | SCENE_NEED_SELF_CONTACT | SCENE_NEED_MOVING_OBSTACLES |
-              SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |
-              SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_LOADS |
-              SCENE_NEED_INITIAL_MOTION | SCENE_NEED_SHEETS | SCENE_NEED_FABRIC,
+    .serves = NET_SERVES,
     .options = options,
     .defaults = {.points = {10, 10, 1},
                  .degree = {1, 1, 1},

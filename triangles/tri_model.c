@@ -269,11 +269,8 @@ const struct model tri_model = {
         "membrane: St. Venant and Kirchhoff, or Baraff and Witkin 1998; bending: Bergou "
         "et al. 2006, or Grinspun et al. 2003; steps: Simo and Tarnow 1992, Baraff and "
         "Witkin 1998, leapfrog",
-    .serves = SCENE_NEED_CONTACT | SCENE_NEED_SELF_CONTACT | SCENE_NEED_MOVING_OBSTACLES |
-              SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |
-              SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_INITIAL_MOTION |
-              SCENE_NEED_SHEETS | SCENE_NEED_FABRIC | SCENE_NEED_BIAS |
-              SCENE_NEED_SOFTENING | SCENE_NEED_OWN_MATERIALS,
+    .serves =
+        NET_SERVES | SCENE_NEED_BIAS | SCENE_NEED_SOFTENING | SCENE_NEED_OWN_MATERIALS,
     .options = options,
     .defaults = {.points = {16, 16, 1},
                  .degree = {1, 1, 1},

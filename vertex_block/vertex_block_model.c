@@ -339,10 +339,7 @@ const struct model vertex_block_model = {
     .title = "vertex block descent",
     .source = "Chen, Liu, Yang, Yuksel 2024; membrane: St. Venant and Kirchhoff; bending: "
               "Bergou et al. 2006, or Grinspun et al. 2003",
-    .serves = SCENE_NEED_CONTACT | SCENE_NEED_SELF_CONTACT | SCENE_NEED_MOVING_OBSTACLES |
-              SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |
-              SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_INITIAL_MOTION |
-              SCENE_NEED_SHEETS | SCENE_NEED_FABRIC | SCENE_NEED_BIAS,
+    .serves = NET_SERVES | SCENE_NEED_BIAS,
     .options = options,
     .defaults = {.points = {16, 16, 1},
                  .degree = {1, 1, 1},

@@ -29,6 +29,13 @@ struct net {
     double rest_energy; /* round-off of a march's elastic energy at rest     [J]      */
 };
 
+/* The scene's needs that every net serves; bits of scene_need. */
+#define NET_SERVES                                                                         \
+    (SCENE_NEED_CONTACT | SCENE_NEED_SELF_CONTACT | SCENE_NEED_MOVING_OBSTACLES |          \
+     SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |           \
+     SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_INITIAL_MOTION |         \
+     SCENE_NEED_SHEETS | SCENE_NEED_FABRIC)
+
 /* A refusal names what a net cannot do with the scene and choices at hand. */
 struct net_refusal {
     bool is_asked;

@@ -6,9 +6,14 @@
  * so a tangent that is kept learns (newton_memory.h), and is kept while its changes shrink
  * as fast, for their work, as that of a new one did last.
  *
- * The change also measures what is left: it is the residual as the tangent turns it into
- * metres. In newtons a thin sheet's residual is that of its membrane, (L/h)^2 times
- * bending's, and round-off.
+ * The loop ends on the change, not on the residual: the change is the residual as the
+ * tangent turns it into metres, and how far off places are to a few per cent, of each body
+ * and at each thickness. In newtons a thin sheet's residual is that of its membrane,
+ * (L/h)^2 times bending's, and round-off: between h/L of 0.1 and 0.001 what leaves the same
+ * distance rises 800 times for a shell, 4e5 times for hexahedra (the test newton_end).
+ * Steps that end at 1e-2 of the loads leave 7e-6 of the length at h/L = 0.02 and 8e-9 at
+ * 0.001, at 1e-4 2e-8 and 4e-11, with as many tangents as those that end on the change,
+ * which leave 1e-8 to 2e-7 (edge_drop, undamped, to 0.3 s: shell_3, and iga_selective_3).
  */
 #ifndef NEWTON_H
 #define NEWTON_H

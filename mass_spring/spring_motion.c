@@ -1,7 +1,6 @@
 #include "mass_spring/spring_motion.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "models/mechanics/frames.h"

@@ -1,6 +1,5 @@
 #include "models/model.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

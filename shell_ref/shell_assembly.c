@@ -1,6 +1,5 @@
 #include "shell_ref/shell_assembly.h"
 
-#include <math.h>
 #include <omp.h>
 #include <stdlib.h>
 #include <string.h>

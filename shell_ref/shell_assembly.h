@@ -7,8 +7,6 @@
 #ifndef SHELL_ASSEMBLY_H
 #define SHELL_ASSEMBLY_H
 
-#include <stddef.h>
-
 #include "models/linalg/blocks.h"
 #include "models/mechanics/large_body.h"
 #include "models/scene.h"

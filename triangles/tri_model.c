@@ -1,6 +1,5 @@
 #include "triangles/tri_model.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,6 @@
 #include "vertex_block/vertex_block_model.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,6 +1,5 @@
 #include "models/net/spring_form.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,7 +1,6 @@
 #include "models/net/spring_stencil.h"
 
 #include <assert.h>
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

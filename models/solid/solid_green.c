@@ -1,6 +1,5 @@
 #include "models/solid/solid_green.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

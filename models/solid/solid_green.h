@@ -7,8 +7,6 @@
 #ifndef SOLID_GREEN_H
 #define SOLID_GREEN_H
 
-#include <stddef.h>
-
 #include "models/mechanics/large_body.h"
 #include "models/solid/solid_assembly.h"
 

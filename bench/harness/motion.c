@@ -9,6 +9,7 @@
 #include "models/contact/contact.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
+#include "models/option.h"
 
 /* The points examined after every frame: sampling the whole grid would cost more than many
  * a frame. A sheet that flies apart passes `suspicious` lengths frames before the 10 of
@@ -109,15 +110,27 @@ out:
     return st;
 }
 
+/* Tells whether a model has explicit steps of a length that serves: those of a body with
+ * layers are a hundred times shorter than a shell's, and a hinge refuses them. */
+static bool goes_explicit(const struct model *model)
+{
+    const struct schema_key *steps = option_find(model->options, "integrator");
+
+    return steps && (!steps->only || (steps->only & OPTION(INTEGRATOR_LEAPFROG))) &&
+           model->defaults.points[2] < 2;
+}
+
 /* Returns what to try against a death. */
 static const char *cure(const struct motion *m)
 {
     if (m->death != STATUS_DIVERGED && m->death != STATUS_INVERTED)
         return "";
-    return contact_wanted(m->scene) ? "; try more points where it bends most "
-                                      "(discretization.points), or explicit "
-                                      "steps (discretization.integrator=leapfrog)"
-                                    : "; try half the step (time.step)";
+    return !contact_wanted(m->scene) ? "; try half the step (time.step)"
+           : goes_explicit(m->model) ? "; try half the step (time.step), more points where "
+                                       "it bends most (discretization.points), or explicit "
+                                       "steps (discretization.integrator=leapfrog)"
+                                     : "; try half the step (time.step), or more points "
+                                       "where it bends most (discretization.points)";
 }
 
 enum status motion_tell_death(const struct motion *m, struct message *why)

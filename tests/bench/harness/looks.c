@@ -1,6 +1,7 @@
 /* Tests the measures of looks at a run: the largest and the last of each series, energy,
  * the first crossing, the truth, what is not there; keys that stand for others; who watches
- * a motion sees every corner fly away, and in which frame. */
+ * a motion sees every corner fly away, and in which frame; what a death advises is there.
+ */
 #include "bench/harness/looks.h"
 
 #include <float.h>
@@ -360,6 +361,50 @@ static void test_flight(void)
     settings_clear(&s);
 }
 
+/* Tells whether a model is built with explicit steps. */
+static bool has_explicit(const struct model *model, const struct scene *scene)
+{
+    struct discretization d;
+    struct message told = {""}, why = {""};
+    void *state = calloc(1, model->bytes);
+
+    REQUIRE(state);
+    model_open(model, &d);
+    d.integrator = INTEGRATOR_LEAPFROG;
+    model_complete(model, scene, &d, &told);
+    const bool built = model->init(state, scene, &d, &why) == STATUS_OK;
+    model->clear(state);
+    free(state);
+    return built;
+}
+
+/* What a death under contact advises can be done: half the step by every model, explicit
+ * steps where they are named, among supports that hold the middle of the thickness. */
+static void test_advice(void)
+{
+    struct settings s = {0};
+    struct scene scene;
+    struct message why = {""};
+    int named_explicit = 0, models = 0;
+
+    REQUIRE(contestant_read_scene(&s, SOURCE_DIR "/tests/through/wrung.yaml", &scene,
+                                  &why) == STATUS_OK);
+    for (; contestant_model(models); models++) {
+        const struct model *model = contestant_model(models);
+        const struct motion m = {.model = model, .scene = &scene, .death = STATUS_DIVERGED};
+        motion_tell_death(&m, &why);
+        CHECK(strstr(why.text, "time.step"));
+        if (!strstr(why.text, "integrator=leapfrog"))
+            continue;
+        named_explicit++;
+        if (!CHECK(has_explicit(model, &scene)))
+            printf("  %s has no explicit steps there\n", model->name);
+    }
+    CHECK(named_explicit == 3 && models > named_explicit); /* shell, springs, triangles */
+    scene_clear(&scene);
+    settings_clear(&s);
+}
+
 int main(void)
 {
     test_series();
@@ -372,5 +417,6 @@ int main(void)
     test_words();
     test_derived_keys();
     test_flight();
+    test_advice();
     return check_result();
 }

@@ -1,5 +1,5 @@
 /* `printed` kinematics is no elastic sheet: its angle beside undamped `incremental`, and
- * that it keeps no stress. (How it falls: fall.c; how it dies: cli.sh.) */
+ * that it keeps no stress. (How it falls: fall.c; how it dies: commands/run.cases.) */
 #include "models/metric/metric.h"
 #include "tests/opened_run.h"
 

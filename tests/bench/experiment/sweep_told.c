@@ -1,5 +1,5 @@
 /* Tests the table of a sweep: the numbers under their columns.
- * (sweep.sh, sweep_ends.sh: the command, files that are damaged or of others.) */
+ * (commands/sweep.cases, sweep_ends.cases: the command and its files.) */
 #include <unistd.h>
 
 #include "models/reader/csv.h"

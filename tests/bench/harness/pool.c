@@ -1,5 +1,5 @@
 /* Jobs in processes: each once, whatever becomes of it, and no more at a time than there
- * are slots. (sweep.sh, sweep_kill.sh: a user who stops it; sweep_mpi.sh: ranks.) */
+ * are slots. (commands/sweep_ends.cases: a user who stops it; sweep_mpi.sh: ranks.) */
 #include "bench/harness/pool.h"
 
 #include <errno.h>

@@ -81,17 +81,22 @@ def read(path):
     return rows
 
 
+def parts(line):
+    """What stands between bars, without a blank on either side of a bar."""
+    return [part.removeprefix(" ") if n else part
+            for n, part in enumerate(re.split(r"(?:^| )\|(?= |$)", line))]
+
+
 def cases(items):
     """A row's steps, once for each line of its `each`, or each pair of lines of two."""
-    blocks = [[re.split(r"(?:^| )\| ?", line) for line in block]
-              for _, kind, _, block in items if kind == "each"]
+    blocks = [[parts(line) for line in block] for _, kind, _, block in items if kind == "each"]
     rest = [item for item in items if item[1] != "each"]
     for lines in itertools.product(*blocks):
         part = [p for line, block in zip(lines, blocks)
                 for p in line + [""] * (max(map(len, block)) - len(line))]
 
         def fill(text):
-            return re.sub(r"\{(\d)\}", lambda m: part[int(m[1]) - 1], text)
+            return re.sub(r"\{(\d)\}", lambda m: part[int(m[1]) - 1], text) if blocks else text
         yield " | ".join(part), [(n, kind, fill(text), [fill(t) for t in block])
                                  for n, kind, text, block in rest]
 

@@ -97,7 +97,7 @@ def cases(items):
 
         def fill(text):
             return re.sub(r"\{(\d)\}", lambda m: part[int(m[1]) - 1], text) if blocks else text
-        yield " | ".join(part), [(n, kind, fill(text), [fill(t) for t in block])
+        yield " | ".join(part), [(n, fill(kind), fill(text), [fill(t) for t in block])
                                  for n, kind, text, block in rest]
 
 

@@ -1,173 +1,20 @@
-/* Tests the warnings before a run: each rule on either side of its bound;
- * what a model doubts of what it did; which results cannot be right: numbers on either side
- * of each bound, alone and together, and of fields. */
+/* Tests what a model doubts of what it did, and which results cannot be right: numbers on
+ * either side of each bound, alone and together, and of fields. (What a run warns of
+ * before: commands/run_warnings.cases.) */
 #include <math.h>
 
 #include "bench/harness/distrust.h"
 #include "bench/harness/motion.h"
-#include "bench/harness/warnings.h"
 #include "models/grid.h"
 #include "tests/run_fixture.h"
 #include "tests/said.h"
 
 /* Settings of rows are parted by semicolons. */
-#define SHEET        "sheet={length: 1, width: 1, thickness: 0.01};"
-#define LIGHT        "material={young: 1e5, poisson: 0, density: 0.5};"
-#define TABLE        SHEET "obstacles=[{plane: {point: [0,0,-1], normal: [0,0,1]}}];"
-#define BALL(radius) SHEET "obstacles=[{sphere: {center: [0,0,-2], radius: " radius "}}];"
-#define CLAMP        "supports=[{at: {u: [0,0.1], v: [0.9,1]}, fix: xyz}];"
-#define HINGED       "supports=[{at: {u: 0, w: 0.5}, fix: xyz}];"
-#define SPUN         "gravity=[0,0,0];supports=[];motion={spin: [3,0,4]};"
-#define WAVE                                                                               \
-    "material={young: 1e4, poisson: 0, density: 1};sheet.thickness=0.01;"                  \
-    "time={step: 0.002, end: 0.1};supports=[{at: {u: 0}, fix: xyz, path: "
-#define LOAD "loads=[{at: {u: 0.5}, force: [0,0,-1]}];"
+#define CLAMP  "supports=[{at: {u: [0,0.1], v: [0.9,1]}, fix: xyz}];"
+#define HINGED "supports=[{at: {u: 0, w: 0.5}, fix: xyz}];"
 #define TUBE                                                                               \
     "pose={kind: cloak, u: [0,1,0], v: [1,0,0], opening: 360};"                            \
     "supports=[{at: {v: 0.25}, fix: x}];"
-
-static const struct row {
-    const char *rule, *contestant;
-    bool warned;
-    const char *settings;
-} rows[] = {
-    {"thickness", "iga_nonlinear", true, "material.poisson=0.01"},
-    {"thickness", "iga_nonlinear", false, "material.poisson=0"},
-    {"thickness", "iga_selective", false, ""},
-    {"thickness", "iga_linear_32", false, ""},
-    {"thickness", "shell", false, ""},
-    {"degree_1", "iga", true, "discretization.remedy=none;discretization.degree=[1,3,1]"},
-    {"degree_1", "iga", true, "discretization.remedy=none;discretization.degree=[3,1,1]"},
-    {"degree_1", "iga", false, "discretization.remedy=none;discretization.degree=[2,2,1]"},
-    {"degree_1", "hex_linear", true, ""},
-    {"degree_1", "hex", false, ""},
-    {"degree_1", "mass_spring", false, ""},
-    /* 10 points: a span is 12.5 thicknesses of 1 cm; along v as along u. */
-    {"degree_2", "iga_linear", true, SHEET "sheet.length=1.61"},
-    {"degree_2", "iga_linear", false, SHEET "sheet.length=1.59"},
-    {"degree_2", "iga_linear", true, SHEET "sheet.width=1.61"},
-    {"degree_2", "iga_linear", false, SHEET "sheet.width=1.59"},
-    {"degree_2", "iga_linear_3", false, SHEET "sheet.length=1.61"},
-    {"degree_2", "iga_selective", false, SHEET "sheet.length=1.61"},
-    {"degree_2", "shell_2", false, SHEET "sheet.length=1.61"},
-    /* Gamma = 0.6 g. 7 spans of degree 3: 12 / pi^2 (s/h)^2 (k s / pi)^4 is 1 at g = 51.2;
-     * 8 of degree 2: (k s / pi)^2, at 5.54; 9 hexahedra: (k s)^2 (s/h)^2 / 60, at 65.6. */
-    {"bends", "shell_3", true, SHEET LIGHT "gravity=[0,0,-52]"},
-    {"bends", "shell_3", false, SHEET LIGHT "gravity=[0,0,-50]"},
-    {"bends", "shell_3", true, SHEET LIGHT "gravity=[0,0,-50];sheet.thickness=0.009"},
-    {"bends", "iga_nonlinear_3", true, SHEET LIGHT "gravity=[0,0,-52]"},
-    {"bends", "shell_2", true, SHEET LIGHT "gravity=[0,0,-5.7]"},
-    {"bends", "shell_2", false, SHEET LIGHT "gravity=[0,0,-5.4]"},
-    {"bends", "hex_incompatible", true,
-     SHEET LIGHT "gravity=[0,0,-67];discretization.points=[10,10,2]"},
-    {"bends", "hex_incompatible", false,
-     SHEET LIGHT "gravity=[0,0,-64];discretization.points=[10,10,2]"},
-    {"bends", "shell", false, SHEET LIGHT "gravity=[0,0,-520]"},
-    {"bends", "iga_selective", false, SHEET LIGHT "gravity=[0,0,-520]"},
-    {"bends", "shell_linear", false, SHEET LIGHT "gravity=[0,0,-520]"},
-    {"bends", "triangles", false, SHEET LIGHT "gravity=[0,0,-520]"},
-    /* edge_drop bends within .0509 m, a third of a span of 6.55 along u */
-    {"way", "iga_selective_3", true, "discretization.points=[9,4,2]"},
-    {"way", "iga_selective_3", false, "discretization.points=[10,4,2]"},
-    {"way", "iga_selective", true, "discretization.points=[8,4,2]"},
-    {"way", "iga_selective_3", true, CLAMP "discretization.points=[10,9,2]"},
-    {"way", "shell_selective_3", false, "discretization.points=[9,9]"},
-    {"way", "iga_nonlinear_3", false, "discretization.points=[9,9,2]"},
-    {"way", "iga_selective_3", false, HINGED "discretization.points=[9,9,2]"},
-    /* Gamma = 12 rho g L^3 / E h^2 = 0.6 g. */
-    {"linear", "iga_linear", true, SHEET LIGHT "gravity=[0,0,-1.51]"},
-    {"linear", "iga_linear", false, SHEET LIGHT "gravity=[0,0,-1.49]"},
-    {"linear", "iga", false, SHEET LIGHT "gravity=[0,0,-1.51]"},
-    {"linear", "shell_linear", true, SHEET LIGHT "gravity=[0,0,-1.51]"},
-    {"printed", "iga_paper", true, ""},
-    {"printed", "iga_incremental", false, ""},
-    {"surface", "shell", true, "sheet.thickness=0.1"},
-    {"surface", "shell", false, "sheet.thickness=0.099"},
-    {"surface", "mass_spring", true, "sheet.thickness=0.05;sheet.width=0.5"},
-    {"surface", "iga", false, "sheet.thickness=0.1"},
-    /* 3/4 g dt / L: 1 % a second at 1.359 ms. */
-    {"euler", "mass_spring", true, "time.step=0.00137;time.end=0.0137"},
-    {"euler", "mass_spring", false, "time.step=0.00135;time.end=0.0135"},
-    {"euler", "projective_dynamics", true, ""},
-    {"euler", "projective_dynamics", true, "discretization.substeps=3"},
-    {"euler", "projective_dynamics", false, "discretization.substeps=4"},
-    {"euler", "mass_spring_explicit", false, ""},
-    {"euler", "shell", false, ""},
-    /* 5 rad/s, dt 25/2: 1 % a second at .8 ms. */
-    {"euler", "mass_spring", true, SPUN "time.step=0.00081;time.end=0.0081"},
-    {"euler", "mass_spring", false, SPUN "time.step=0.00079;time.end=0.0079"},
-    {"euler", "projective_dynamics", true, SPUN "time.step=0.00081;time.end=0.0081"},
-    {"euler", "position_based", true, SPUN "time.step=0.00081;time.end=0.0081"},
-    {"euler", "vbd", true, SPUN "discretization.substeps=6"},
-    {"euler", "vbd", false, SPUN "discretization.substeps=7"},
-    {"euler", "shell", false, SPUN},
-    /* A kick of 1 m/s; a way without kink; c dt = L / 10; v / c = (h / L)^2. */
-    {"kink", "triangles", true, WAVE "[[0,0,0,0],[0.05,0,0,0.05],[0.1,0,0,0]]}]"},
-    {"kink", "triangles", true, WAVE "[[-1,0,0,0],[0.05,0,0,0],[2,0,0,1]]}]"},
-    {"kink", "triangles", false, WAVE "[[-1,0,0,0],[0,0,0,0],[0.11,0,0,0],[2,0,0,1]]}]"},
-    {"kink", "triangles", false, WAVE "[[-1,0,0,-1],[1,0,0,1]]}];motion={}"},
-    {"kink", "triangles", false,
-     WAVE "[[0,0,0,0],[0.1,0,0,0.1]]}];motion={velocity: [0,0,1]}"},
-    {"kink", "triangles", false, WAVE "[[-1,0,0,-1],[0.05,0,0,0.05],[1,0,0,1.09]]}]"},
-    {"kink", "triangles", true, WAVE "[[0,0,0,0],[0.1,0,0,1.1e-3]]}]"},
-    {"kink", "triangles", false, WAVE "[[0,0,0,0],[0.1,0,0,0.9e-3]]}]"},
-    {"kink", "triangles", true, WAVE "[[0,0,0,0],[0.1,0,0,1]]}];time.step=0.0011"},
-    {"kink", "triangles", false, WAVE "[[0,0,0,0],[0.1,0,0,1]]}];time.step=0.0009"},
-    {"kink", "mass_spring_leapfrog", false, WAVE "[[0,0,0,0],[0.1,0,0,1]]}]"},
-    {"scale", "iga", true, ""},
-    {"scale", "iga_paper", false, ""},
-    {"scale", "iga", false, "damping={kind: velocity_scale, value: 1}"},
-    {"scale", "iga", false, "damping={kind: velocity_rate, value: 1}"},
-    {"scale", "iga", false, "damping={kind: mass, value: 1}"},
-    {"between", "mass_spring", true, CLAMP "discretization.points=[20,21]"},
-    {"between", "mass_spring", true, CLAMP "discretization.points=[21,20]"},
-    {"between", "mass_spring", false, CLAMP "discretization.points=[21,11]"},
-    {"between", "mass_spring", false, "discretization.points=[20,20]"},
-    {"between", "mass_spring", true, LOAD "discretization.points=[20,20]"},
-    {"between", "mass_spring", false, LOAD "discretization.points=[21,20]"},
-    {"between", "shell", false, CLAMP "discretization.points=[6,6]"},
-    {"between", "shell", true, CLAMP "discretization.points=[6,5]"},
-    {"between", "iga", false, CLAMP "discretization.points=[7,7,2]"},
-    {"between", "iga", true, CLAMP "discretization.points=[6,7,2]"},
-    {"between", "shell", false, TUBE "discretization.points=[6,8]"},
-    {"between", "shell", true, TUBE "discretization.points=[6,9]"},
-    /* Gamma = 0.6 g, 7 spans: 4 Gamma^(-1/2) is one at g = 1306.7. */
-    {"clamp", "shell", true, SHEET LIGHT "gravity=[0,0,-1310]"},
-    {"clamp", "shell", false, SHEET LIGHT "gravity=[0,0,-1300]"},
-    {"clamp", "shell", false,
-     SHEET LIGHT "gravity=[0,0,-1310];discretization.points=[10,11]"},
-    {"clamp", "shell", false, SHEET LIGHT "gravity=[0,0,-1310];sheet.width=0.9"},
-    {"clamp", "iga_selective_3", true, SHEET LIGHT "gravity=[0,0,-1310]"},
-    {"clamp", "shell_3", false, SHEET LIGHT "gravity=[0,0,-1310]"},
-    {"clamp", "mass_spring", false, SHEET LIGHT "gravity=[0,0,-1e5]"},
-    /* 7 spans; lambda = 5.54 cm where a span is 5.71 cm, 5.37 cm where it is 5. */
-    {"edge", "shell", true, TABLE "sheet.length=0.4;sheet.width=0.4"},
-    {"edge", "shell", false, TABLE "sheet.length=0.35;sheet.width=0.35"},
-    {"edge", "shell", true, TABLE "sheet.length=0.35;sheet.width=0.4"},
-    {"edge", "shell", false, SHEET},
-    /* 28 samples, 1 / 28^2 / 8 (R + 5 mm) is the range, 2.5 mm, at R = 5.9 cm. */
-    {"round", "shell", true, BALL("0.058")},
-    {"round", "shell", false, BALL("0.06")},
-    {"round", "mass_spring", true, BALL("0.6")},
-    {"round", "shell", false, TABLE},
-    {"edge", "iga_incremental", false, TABLE "sheet.length=0.4;sheet.width=0.4"},
-    {"round", "hex_paper", false, BALL("0.058")},
-    {"put", "iga_paper", true, BALL("0.6")},
-    {"put", "hex_incremental", true, BALL("0.6")},
-    {"put", "iga", false, BALL("0.6")},
-    {"put", "iga_paper", false, "contact={}"},
-    {"smooth", "iga_paper", true, BALL("0.6, friction: 0.1")},
-    {"smooth", "iga_paper", true, "contact={friction: 0.1}"},
-    {"smooth", "iga_paper", false, BALL("0.6")},
-    {"smooth", "iga", false, BALL("0.6, friction: 0.1")},
-    {"crossing", "iga_incremental", true, "contact={}"},
-    {"crossing", "iga_incremental", false, BALL("0.6")},
-    {"crossing", "iga", false, "contact={}"},
-    {"gravity", "iga", true, "gravity=[0,0,0]"},
-    {"gravity", "iga", false, "gravity=[0,0,1e-9]"},
-    {"gravity", "shell", false, "gravity=[1,0,0]"},
-    {"gravity", "shell", false, "gravity=[0,1,0]"},
-};
 
 static void read_row(const char *contestant, const char *settings, struct run *run)
 {
@@ -179,61 +26,6 @@ static void read_row(const char *contestant, const char *settings, struct run *r
     if (!CHECK(run_read(run, &plan, &why) == STATUS_OK))
         printf("%s\n", why.text);
     settings_clear(&plan.settings);
-}
-
-/* A rule is told by the beginning of its sentence, and with its source. */
-static void check_rule(const struct row *row)
-{
-    const struct warnings_rule *rule = warnings_rules;
-    char begin[24];
-    struct run run;
-    struct said s;
-
-    while (rule->name && strcmp(rule->name, row->rule))
-        rule++;
-    REQUIRE(rule->name);
-    snprintf(begin, sizeof begin, "say: %.*s", (int)strcspn(rule->sentence, "%"),
-             rule->sentence);
-    read_row(row->contestant, row->settings, &run);
-    said_open(&s);
-    warnings_print(&run, "say: ", s.file);
-    said_close(&s, true);
-    const char *line = strstr(s.text, begin);
-    if (!CHECK(!line == !row->warned) || !CHECK(!line || strstr(line, rule->source)))
-        printf("%s of %s, %s: %s\n", row->rule, row->contestant, row->settings, s.text);
-    said_clear(&s);
-    run_close(&run);
-}
-
-/* Numbers that only a sentence has. */
-static void check_numbers(void)
-{
-    static const struct {
-        const char *contestant, *settings, *text;
-    } row[] = {
-        {"iga_nonlinear", "", "to 22 % too"}, /* 0.49 / 0.4 */
-        {"iga_nonlinear", "discretization.points=[10,10,3]", "to 5.6 % too"},
-        {"iga_linear", SHEET LIGHT "gravity=[0,0,-4.8]", "than 1 %"},
-        {"iga_linear", SHEET LIGHT "gravity=[0,0,-4.9]", "than 10 %"},
-        {"iga_paper", "", "= 500 Pa s"},
-        {"mass_spring", "", "takes 3.7 % of"},
-        {"iga_linear", "discretization.points=[18,12,2]", "here 85:"},
-        {"shell", CLAMP "discretization.points=[5,9]", "; 6 x 9 points"},
-        {"mass_spring", "supports=[{at: {u: 0.5, v: 0.12345}, fix: xyz}]", "21x21 1 % ("},
-        {"shell_selective_3", SHEET LIGHT "gravity=[0,0,-6000]", "of 0.14 m, but"},
-    };
-
-    for (int n = 0; n < LENGTH(row); n++) {
-        struct run run;
-        struct said s;
-        read_row(row[n].contestant, row[n].settings, &run);
-        said_open(&s);
-        warnings_print(&run, "", s.file);
-        said_close(&s, true);
-        said_has(&s, row[n].contestant, row[n].text);
-        said_clear(&s);
-        run_close(&run);
-    }
 }
 
 /* A fixed number of iterations that ends early, by E and the number; and with nothing to
@@ -511,9 +303,6 @@ static void check_fields(void)
 
 int main(void)
 {
-    for (int n = 0; n < LENGTH(rows); n++)
-        check_rule(&rows[n]);
-    check_numbers();
     check_doubts();
     for (int n = 0; n < LENGTH(results); n++)
         check_result_of(&results[n]);

@@ -5,20 +5,9 @@
 #include <unistd.h>
 
 #include "tests/fresh.h"
+#include "tests/plan_fixture.h"
 
-static const char *folder;
-
-static struct plan plan_of(const char *text)
-{
-    struct plan plan;
-    char path[4096];
-
-    snprintf(path, sizeof path, "%s/told.yaml", folder);
-    FILE *file = fopen(path, "w");
-    REQUIRE(file && fputs(text, file) >= 0 && fclose(file) == 0);
-    REQUIRE(plan_read(path, &plan, NULL) == STATUS_OK);
-    return plan;
-}
+static const char *folder, *path;
 
 #define PLAN                                                                               \
     "name: told\nsource: numbers made up\nscene: edge_drop\n"                              \
@@ -115,7 +104,7 @@ static const char with_truth[] =
 
 static void check_truth(void)
 {
-    struct plan plan = plan_of(PLAN "times: [0.125, 0.25]\ntruth: true\ntimed: 3\n");
+    struct plan plan = plan_of(path, PLAN "times: [0.125, 0.25]\ntruth: true\ntimed: 3\n");
     struct study s = study_of(&plan, plan.studies[0].times, 2);
     double bars[] = {0.125, 0.375}, *none[] = {NULL, NULL};
     struct truth truth = {2, plan.studies[0].times, none, bars, "somebody else's"};
@@ -143,7 +132,7 @@ static void check_truth(void)
  * and a note; a level that died has those it lived to. */
 static void check_without(void)
 {
-    struct plan plan = plan_of(PLAN "times: [0.125, 0.25]\ntimed: 3\n");
+    struct plan plan = plan_of(path, PLAN "times: [0.125, 0.25]\ntimed: 3\n");
     struct study s = study_of(&plan, plan.studies[0].times, 2);
 
     s.row[1].result.outcome = STATUS_UNSUPPORTED;
@@ -165,9 +154,9 @@ static void check_without(void)
 /* The chart's points stand under the names of its axes, at the last time. */
 static void check_chart(void)
 {
-    struct plan plan =
-        plan_of(PLAN "times: [0.125, 0.25]\ntable: {columns: [drop]}\n"
-                     "chart: {x: \"mesh, [m]\", y: [drop], from: 1, line: [level]}\n");
+    struct plan plan = plan_of(
+        path, PLAN "times: [0.125, 0.25]\ntable: {columns: [drop]}\n"
+                   "chart: {x: \"mesh, [m]\", y: [drop], from: 1, line: [level]}\n");
     struct study s = study_of(&plan, plan.studies[0].times, 2);
     char *text = print(&plan, &s, TABLE_CSV);
 
@@ -195,7 +184,7 @@ static void writes(const struct study_results *d, const char *at, const char *wa
 /* Words for sentences: a number of every level; and orders, which two points are not. */
 static void check_words(void)
 {
-    struct plan plan = plan_of(PLAN "times: [0.05, 0.1]\n");
+    struct plan plan = plan_of(path, PLAN "times: [0.05, 0.1]\n");
     struct study s = study_of(&plan, plan.studies[0].times, 2);
     const struct study_results d = {.plan = &plan, .count = 1, .study = &s};
 
@@ -223,6 +212,9 @@ int main(int argc, char **argv)
     REQUIRE(argc == 2);
     folder = argv[1];
     fresh_folder(folder);
+    char file[4096];
+    snprintf(file, sizeof file, "%s/told.yaml", folder);
+    path = file;
     check_truth();
     check_without();
     check_words();

@@ -10,6 +10,7 @@
 #include "models/metric/metric.h"
 #include "models/reader/scene_file.h"
 #include "tests/fresh.h"
+#include "tests/plan_fixture.h"
 
 /* Files keep positions as 32-bit floats: 6e-8 of 1 m. */
 static const double TOL_STORED = 1e-7;
@@ -20,20 +21,12 @@ static const double TOL_TIP = 0.05;
 static const char *folder;
 
 /* A plan of this text, written where results go. */
-static struct plan plan_of(const char *name, const char *text)
+static struct plan plan_there(const char *name, const char *text)
 {
-    struct message why = {""};
-    struct plan plan;
     char path[4096];
 
     snprintf(path, sizeof path, "%s/%s.yaml", folder, name);
-    FILE *file = fopen(path, "w");
-    REQUIRE(file && fputs(text, file) >= 0 && fclose(file) == 0);
-    if (!CHECK(plan_read(path, &plan, &why) == STATUS_OK)) {
-        printf("%s\n", why.text);
-        exit(1);
-    }
-    return plan;
+    return plan_of(path, text);
 }
 
 static double *field(const char *name, int frame)
@@ -96,7 +89,7 @@ static const char *const light =
 
 static void against_truth(void)
 {
-    struct plan plan = plan_of("light", light);
+    struct plan plan = plan_there("light", light);
     struct study_results all;
     struct message why = {""};
 
@@ -148,7 +141,7 @@ static const char *const rough =
 
 static void deaths_and_refusals(void)
 {
-    struct plan plan = plan_of("rough", rough);
+    struct plan plan = plan_there("rough", rough);
     struct study_results all;
 
     measure(&plan);
@@ -192,7 +185,7 @@ static const char *const few =
 static void few_iterations(void)
 {
     static const double ALIKE = 0.1; /* the overshoot that the steps' damping leaves */
-    struct plan plan = plan_of("few", few);
+    struct plan plan = plan_there("few", few);
     struct study_results all;
 
     measure(&plan);
@@ -212,17 +205,17 @@ static void few_iterations(void)
  * with times for it is read as such, also where a level is refused. */
 static void rest_and_quick(void)
 {
-    struct plan plan =
-        plan_of("statics",
-                "name: statics\nsource: statics\nscene: cantilever\nmodel: shell_linear\n"
-                "settings: {discretization.points: [6,6]}\n"
-                "axes:\n  level:\n"
-                "    thin: {sheet.thickness: 0.001}\n"
-                "    thick: {sheet.thickness: 0.005, quick: {sheet.thickness: 0.004}}\n"
-                "    odd: {discretization.points: [2,2]}\n"
-                "studies:\n"
-                "  rest: {times: []}\n"
-                "  motion: {times: [0.01, 0.02], quick_times: [0.005]}\n");
+    struct plan plan = plan_there(
+        "statics",
+        "name: statics\nsource: statics\nscene: cantilever\nmodel: shell_linear\n"
+        "settings: {discretization.points: [6,6]}\n"
+        "axes:\n  level:\n"
+        "    thin: {sheet.thickness: 0.001}\n"
+        "    thick: {sheet.thickness: 0.005, quick: {sheet.thickness: 0.004}}\n"
+        "    odd: {discretization.points: [2,2]}\n"
+        "studies:\n"
+        "  rest: {times: []}\n"
+        "  motion: {times: [0.01, 0.02], quick_times: [0.005]}\n");
     struct study_results all;
 
     measure(&plan);

@@ -6,6 +6,7 @@
 #include "bench/experiment/sweep.h"
 #include "models/reader/csv.h"
 #include "tests/fresh.h"
+#include "tests/plan_fixture.h"
 #include "tests/scripted_model.h"
 
 #define PLAN                                                                               \
@@ -97,23 +98,13 @@ static void make_case(const struct plan *plan, int n)
     plan_case_clear(&c);
 }
 
-static void plan_of(const char *text, struct plan *plan)
-{
-    struct message why = {""};
-    FILE *file = fopen("plan.yaml", "w");
-
-    REQUIRE(file && fputs(text, file) >= 0 && fclose(file) == 0);
-    if (!CHECK(plan_read("plan.yaml", plan, &why) == STATUS_OK))
-        printf("%s\n", why.text);
-}
-
 static void check_errors(void)
 {
     struct study_results d;
-    struct plan plan;
+    struct plan plan =
+        plan_of("plan.yaml", PLAN "keep: snapshots\nreference: {time.step: 0.01}\n");
     struct csv csv;
 
-    plan_of(PLAN "keep: snapshots\nreference: {time.step: 0.01}\n", &plan);
     for (int n = 0; n < CASES; n++)
         make_case(&plan, n);
     REQUIRE(study_read(&plan, ".", &d, NULL) == STATUS_OK);

@@ -5,19 +5,14 @@
 #include "models/reader/csv.h"
 #include "bench/experiment/sweep.h"
 #include "tests/fresh.h"
+#include "tests/plan_fixture.h"
 
 /* Reads a plan and makes the rows of its only study, empty. */
 static struct study_results begin(const char *text, struct plan *plan)
 {
-    struct message why = {""};
     struct study_results d = {.plan = plan, .count = 1};
-    FILE *file = fopen("plan.yaml", "w");
 
-    REQUIRE(file && fputs(text, file) >= 0 && fclose(file) == 0);
-    if (!CHECK(plan_read("plan.yaml", plan, &why) == STATUS_OK)) {
-        printf("%s\n", why.text);
-        exit(1);
-    }
+    *plan = plan_of("plan.yaml", text);
     d.study = arena_take(&d.arena, 1, sizeof *d.study);
     d.study->plan = plan->studies;
     d.study->row =

@@ -1,6 +1,6 @@
 /* The verdicts on folders of our own models' frames on small nets: each is turned round by
- * what the folder has, and its word changes. Names in a folder are words of its tables, and
- * what is wrong in one is refused. */
+ * what the folder has, and its word changes. Names in a folder are words of its tables.
+ * (What is refused: commands/score.cases.) */
 #include <sys/stat.h>
 
 #include "bench/score/protocol.h"
@@ -303,42 +303,6 @@ static void hostile(void)
     protocol_clear(&p);
 }
 
-static void refuse(void)
-{
-    static const struct {
-        const char *file, *text;
-    } row[] = {
-        {"file", ""},
-        {"edge_dorp/4x4.csv", "0,0,0,0,0,0\n"},
-        {"free_fall/README", ""},
-        {"free_fall/fine.csv", ""},
-        {"free_fall/4x4.csv", "0,0,0,0,0,nan\n"},
-        {"engine.yaml", "step: soon\n"},
-        {"engine.yaml", "speed: 1\n"},
-    };
-    const struct made fall = {"free_fall/5x5.csv", "triangles_explicit", {NULL}, 0};
-    struct protocol p;
-    struct message why;
-
-    for (size_t n = 0; n < sizeof row / sizeof *row; n++) {
-        char folder[32] = "";
-        fresh();
-        if (!strncmp(row[n].file, "engine", 6))
-            make(&fall);
-        snprintf(folder, sizeof folder, "%.*s", (int)strcspn(row[n].file, "/"),
-                 row[n].file);
-        if (strchr(row[n].file, '/'))
-            mkdir(folder, 0700);
-        put_text(row[n].file, row[n].text);
-        if (!CHECK(protocol_read(".", &look, &p, &why) == STATUS_INPUT))
-            printf("%s: %s\n", row[n].file, why.text);
-    }
-    fresh();
-    make(&fall);
-    put_text("free_fall/5x5.npz", "");
-    CHECK(protocol_read(".", &look, &p, &why) == STATUS_INPUT);
-}
-
 int main(void)
 {
     scratch_open();
@@ -349,6 +313,5 @@ int main(void)
     }
     names();
     hostile();
-    refuse();
     return check_result();
 }

@@ -1,4 +1,5 @@
-/* The table of contestants: each can be built as its row says; names choose as told. */
+/* The table of contestants: each can be built as its row says; names choose as told. (What
+ * is no name: commands/verify.cases.) */
 #include "bench/harness/contestant.h"
 
 #include <ctype.h>
@@ -178,23 +179,6 @@ static void test_choice(void)
     CHECK(chosen("iga_pap", 0) == 0 && chosen("", 0) == 0);
 }
 
-static void test_check(void)
-{
-    struct message why = {""};
-    const struct contestant *c;
-
-    CHECK(contestant_check(NULL, &why) == STATUS_OK);
-    CHECK(contestant_check("all", &why) == STATUS_OK);
-    CHECK(contestant_check("iga_paper,shell", &why) == STATUS_OK);
-    CHECK(contestant_check("", &why) == STATUS_INPUT);
-    CHECK(contestant_check("iga,,hex", &why) == STATUS_INPUT);
-    CHECK(contestant_check("iga,paper", &why) == STATUS_INPUT);
-    CHECK(contestant_find("igapaper", &c, &why) == STATUS_INPUT);
-    char long_name[2000]; /* does not take the sentence's end away */
-    memset(long_name, 'a', sizeof long_name - 1), long_name[sizeof long_name - 1] = '\0';
-    CHECK(contestant_find(long_name, &c, &why) == STATUS_INPUT);
-}
-
 int main(void)
 {
     test_names();
@@ -203,6 +187,5 @@ int main(void)
     test_settings();
     test_no_scene_is_known();
     test_choice();
-    test_check();
     return check_result();
 }

@@ -426,29 +426,6 @@ static void check_file(void)
     CHECK(verify_file_read(&rows_check, "/proc/nowhere", &read, &why) == STATUS_FILE);
 }
 
-#define KEYS                                                                               \
-    "quantity,model,value,truth,error_bar,error,tolerance,order,verdict,time_s,until_s,"   \
-    "remark,check,source,claimed_at_first,contestant\n"
-
-/* Other files are refused. */
-static void check_refusals(void)
-{
-    static const char *const text[] = {"", "a,b\n", KEYS "1,2\n",
-                                       KEYS "a,b,1,1,0,0,0,nan,fine,0,,,c,d,,e\n"};
-    struct verify_sheet read;
-    char path[4200];
-
-    snprintf(path, sizeof path, "%s/unit_rows.csv", folder);
-    for (size_t n = 0; n < sizeof text / sizeof *text; n++) {
-        FILE *file = fopen(path, "w");
-        if (!CHECK(file != NULL))
-            return;
-        fputs(text[n], file);
-        fclose(file);
-        CHECK(verify_file_read(&rows_check, folder, &read, NULL) == STATUS_INPUT);
-    }
-}
-
 int main(int argc, char **argv)
 {
     REQUIRE(argc == 2);
@@ -467,6 +444,5 @@ int main(int argc, char **argv)
     check_subject();
     check_orders();
     check_file();
-    check_refusals();
     return check_result();
 }

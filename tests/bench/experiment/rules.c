@@ -1,4 +1,5 @@
-/* Verdicts: rules are read, refused at their line, and applied the same to every case. */
+/* Verdicts: rules are read, and applied the same to every case. (What is refused:
+ * commands/sweep.cases.) */
 #include "bench/experiment/rules.h"
 
 #include "bench/experiment/judge.h"
@@ -145,31 +146,6 @@ static void test_rules(void)
     CHECK(!strcmp(rules.rule[2].why, "it died"));
 }
 
-static void test_refusals(void)
-{
-    static const char *const bad[] = {
-        "label: x",
-        "[]",
-        "- 5",
-        "- {label: x, measure: stretch_max, above: 1}",
-        "- {label: x, measure: stretch, above: 1, why: y}",
-        "- {label: x, measure: stretch_max, why: y}",
-        "- {label: x, measure: stretch_max, above: 1, below: 2, why: y}",
-        "- {label: x, measure: stretch_max, above: high, why: y}",
-        "- {label: x, measure: stretch_max, above: .inf, why: y}",
-        "- {label: x, measur: stretch_max, above: 1, why: y}",
-        "- {label: x, measure: drop_max, above: 1, why: y}\n- {label: z}",
-    };
-    struct rules rules;
-
-    for (size_t n = 0; n < sizeof bad / sizeof *bad; n++) {
-        struct message why = {""};
-        const char *line = strchr(bad[n], '\n') ? "rules.yaml:2: " : "rules.yaml:1: ";
-        CHECK(read_rules(bad[n], &rules, &why) == STATUS_INPUT && rules.count == 0);
-        CHECK(!strncmp(why.text, line, strlen(line)) && !strchr(why.text, '\n'));
-    }
-}
-
 /* --- How sentences turn. */
 
 static const struct {
@@ -240,7 +216,6 @@ int main(void)
     test_rules();
     test_no_rules();
     test_verdicts();
-    test_refusals();
     arena_clear(&arena);
     return check_result();
 }

@@ -1,6 +1,5 @@
-/* Files written aside: gone with a signal, links followed. Standard output that cannot be
- * written to: told at the end, with its reason, whether the failure came early (more than a
- * buffer was printed) or only with the last flush. */
+/* Files written aside: gone with a signal, links followed. (Standard output that cannot be
+ * written to: commands/help.cases; paths that no file can have: store.c.) */
 #include "bench/files/output.h"
 
 #include <fcntl.h>
@@ -12,58 +11,6 @@
 #include "bench/files/atomic_file.h"
 #include "bench/files/folder.h"
 #include "tests/scratch.h"
-
-/* Does what main does, in a child whose standard output is `target` (-1: closed): prints
- * `lines` and ends with 0 or 1; the sentence goes to sentence[size]. Returns the exit code,
- * or -1 when a signal ended it. */
-static int run(int target, int lines, char *sentence, size_t size)
-{
-    int report[2], outcome = 0;
-
-    REQUIRE(pipe(report) == 0);
-    fflush(stdout);
-    pid_t child = fork();
-    REQUIRE(child >= 0);
-    if (child == 0) {
-        struct message why = {""};
-        output_keep_after_closed_pipe();
-        if (target < 0)
-            close(STDOUT_FILENO);
-        else
-            dup2(target, STDOUT_FILENO);
-        for (int n = 0; n < lines; n++)
-            printf("0.5,0.25,%d\n", n);
-        enum status st = output_close_standard(&why);
-        (void)!write(report[1], why.text, strlen(why.text));
-        _exit(st == STATUS_OK ? 0 : 1);
-    }
-    close(report[1]);
-    ssize_t length = read(report[0], sentence, size - 1);
-    sentence[length > 0 ? length : 0] = '\0';
-    close(report[0]);
-    REQUIRE(waitpid(child, &outcome, 0) == child);
-    return WIFEXITED(outcome) ? WEXITSTATUS(outcome) : -1;
-}
-
-static void test_standard(void)
-{
-    int ends[2];
-
-    REQUIRE(pipe(ends) == 0 && close(ends[0]) == 0);
-    const int device = open("/dev/full", O_WRONLY);
-    const struct {
-        int target, lines, code;
-    } row[] = {{device, 0, 0},       {device, 1, 1},
-               {device, 100000, 1},  {ends[1], 1, 1},
-               {ends[1], 100000, 1}, {open("/dev/null", O_WRONLY), 100000, 0},
-               {-1, 0, 0},           {-1, 1, 1}};
-
-    for (size_t n = 0; n < sizeof row / sizeof *row; n++) {
-        char sentence[256];
-        CHECK(run(row[n].target, row[n].lines, sentence, sizeof sentence) == row[n].code);
-        CHECK(!*sentence == !row[n].code);
-    }
-}
 
 /* A child ended by a signal in the middle of a file takes the file with it; a file of the
  * parent's stays. */
@@ -154,19 +101,6 @@ static void test_given_up(void)
     close(reader);
 }
 
-/* A path that no file can have is refused. */
-static void test_refusals(void)
-{
-    static const char *const path[] = {".", "", "none/a", "/dev/null/a"};
-    struct output *out = NULL;
-
-    for (size_t n = 0; n < sizeof path / sizeof *path; n++) {
-        struct message why = {""};
-        CHECK(output_create(path[n], &out, &why) == STATUS_FILE && !out);
-        CHECK(*why.text && strstr(why.text, path[n]));
-    }
-}
-
 /* Folders on the way are made, by whoever may; those there are stay as they are. */
 static void test_folders(void)
 {
@@ -207,7 +141,6 @@ int main(void)
 {
     scratch_open();
     test_folders();
-    test_refusals();
     const int open = scratch_files("/proc/self/fd");
     test_signal(SIGINT);
     test_signal(SIGTERM);
@@ -216,6 +149,5 @@ int main(void)
     test_given_up();
     CHECK(scratch_files("/proc/self/fd") == open);
     CHECK(scratch_files(scratch) == 0);
-    test_standard();
     return check_result();
 }

@@ -46,7 +46,7 @@ enum preconditioner {
     PRECONDITIONER_JACOBI, /* the blocks on the diagonal                               */
 };
 
-/* The source of a spring's or constraint's strength (mass_spring, projective_dynamics). */
+/* The source of a spring's or constraint's strength. */
 enum parameters {
     PARAMETERS_MATCHED, /* the scene's E, nu, h and rho                                */
     PARAMETERS_PAPER,   /* Ren et al. 2024, Fig. 6                                     */
@@ -111,7 +111,8 @@ struct discretization {
     enum newton_tangents newton; /* nonlinear kinematics */
     enum viscosity viscosity;    /* likewise */
 
-    /* The following belong to some models only; zero: the model's own choice. */
+    /* The following belong to some models only, two at least, as all here do but weights,
+     * which own memory; zero: the model's own choice. */
     enum parameters parameters;
     enum integrator integrator;
     enum precision precision;

@@ -17,7 +17,7 @@ NAMES_MOST = 3       # files of bench, outside of its checks, that know a model 
 
 KINDS = {".c", ".h", ".cmake", ".txt", ".sh", ".yaml", ".md", ".edp", ".gp", ".1", ".py"}
 ALONE = ("check", "reproduce", ".ci/run", "doc/refresh", "doc/figures", "tools/plant",
-         "tools/compare_builds")
+         "tools/compare_builds", "tools/constants")
 # bad_scenes are bad on purpose; paper/ is not ours to format.
 NOT_OURS = re.compile(r"(build[^/]*|results|paper|tests/bad_scenes|\.git)/")
 # Brackets keep these expressions from finding themselves.

@@ -34,7 +34,10 @@
 #include "models/mechanics/march_rest.h"
 
 /* A step of Newton's method with an old tangent is good enough if it is this much shorter
- * than the last: an assembly and a factorisation cost as much as three or four of them. */
+ * than the last: an assembly and a factorisation cost as much as three or four of them,
+ * which then shrink to .04, as far as a new tangent's first (newton.c). (tools/constants:
+ * with .2 and .8 three sheets that swing take 3 to 11 % more work and 3 % less to 4 % more,
+ * a tangent counted as 4.5 solutions.) */
 static const double CHORD = 0.4;
 
 /* The substeps that a viscosity stays for when it comes first: what is fast shrinks to a

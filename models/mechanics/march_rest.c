@@ -18,7 +18,9 @@ static const double SLIP = 1e-3;
 
 /* The mass is multiplied by FAILED after a step that failed, by SHORTER where the step
  * needed a tangent without stress - a shape with an unstable way out is to be left - or
- * moved too far, and by GOOD where it went well. */
+ * moved too far, and by GOOD where it went well. (tools/constants, a sheet that comes to
+ * lie on a sphere: 1119 tangents; with half and twice FAILED 1645 and 1186, SHORTER 1919
+ * and 1753, GOOD 1574 and no rest, FARTHEST 1052 and 2249.) */
 static const double FAILED = 8, SHORTER = 2, GOOD = 0.5;
 
 /* The share of the length beyond which a node's move in a step makes the next one shorter;

@@ -13,7 +13,9 @@
 static const double FIRST_CHORD = 0.03;
 /* A new tangent and its solution cost so many solutions. One that learns is kept while its
  * changes shrink as fast, for its work, as those of a new one did last; by no less and no
- * more than the last two. */
+ * more than the last two. (tests/through/pushed, IGA, to 0.3 s: 375 solutions, and 705
+ * where it is kept up to .8 always; sphere, triangles, to 0.35 s: 350 tangents, and 542
+ * where it is kept up to .5.) */
 static const double COST = 4.5, LEAST_CHORD = 0.5, MOST_CHORD = 0.8;
 
 static void exchange(double **a, double **b)

@@ -109,7 +109,10 @@ static enum status assemble(struct solid_assembly *s, int thread, int slab, int 
     struct solid_element *work = &s->work[thread];
 
     if (s->batch[thread])
-        return solid_batch_add(s->batch[thread], s, slab, end, x);
+        return solid_batch_add(s->batch[thread],
+                               &(struct solid_batch_sums){s->K, s->M, s->volume, s->place,
+                                                          s->run, s->material},
+                               slab, end, x);
     for (; slab < end; slab += 2)
         for (int e = s->space->slab[slab]; e < s->space->slab[slab + 1]; e++) {
             enum status st = solid_element_compute(work, s->space, e, &s->material, x);

@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "models/room.h"
-#include "models/solid/solid_assembly.h"
 
 /* This file is compiled with -ffp-contract=fast, as solid_element.c is. */
 
@@ -155,7 +154,7 @@ static enum status gradients(struct solid_batch *b, int count)
 }
 
 /* Weights the gradients and values of function a, the row-th of a pass; adds its volume. */
-static void weigh(struct solid_batch *b, const struct solid_assembly *s, int a, int row,
+static void weigh(struct solid_batch *b, const struct solid_batch_sums *s, int a, int row,
                   int count, const int *element)
 {
     const int gauss = b->space->gauss, local = b->space->local;
@@ -235,8 +234,9 @@ static inline void turn(const lanes k[9], eight row[LANES])
 }
 
 /* Adds the blocks of functions a and c. */
-static void scatter(const struct solid_batch *b, const struct solid_assembly *s, int count,
-                    const int *element, int a, int c, const lanes k[9], lanes mass)
+static void scatter(const struct solid_batch *b, const struct solid_batch_sums *s,
+                    int count, const int *element, int a, int c, const lanes k[9],
+                    lanes mass)
 {
     const int local = b->space->local, runs = local / s->run, r = c / s->run;
     const int start = r * s->run > a ? r * s->run : a;
@@ -251,7 +251,7 @@ static void scatter(const struct solid_batch *b, const struct solid_assembly *s,
     }
 }
 
-static enum status add(struct solid_batch *b, const struct solid_assembly *s, int count,
+static enum status add(struct solid_batch *b, const struct solid_batch_sums *s, int count,
                        const int *element, const double *x)
 {
     const int local = b->space->local;
@@ -277,8 +277,8 @@ out:
     return st;
 }
 
-enum status solid_batch_add(struct solid_batch *b, const struct solid_assembly *s, int slab,
-                            int end, const double *x)
+enum status solid_batch_add(struct solid_batch *b, const struct solid_batch_sums *s,
+                            int slab, int end, const double *x)
 {
     int element[LANES], count = 0;
     enum status st = STATUS_OK;

@@ -12,7 +12,9 @@
  * (Klinkel, Wagner 1997); at small displacements it is the incompatible element.
  *
  * solid_green_layer.h does all of this but the room in a space with a layer
- * (solid_layer.h).
+ * (solid_layer.h). Its tables of strains could have these, too, six at a point, but a pair
+ * of functions then takes 54 products a point in place of 21: the isotropic law needs the
+ * nine of p_a p_b alone, and twelve for what is symmetric.
  */
 #ifndef SOLID_GREEN_ELEMENT_H
 #define SOLID_GREEN_ELEMENT_H

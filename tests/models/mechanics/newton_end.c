@@ -14,9 +14,9 @@ static const double LEAST = 1e-10, MOST = 1e-3;
 /* The next change over the distance: 1 but for what it leaves itself, a tenth here. */
 static const double LOW = 0.8, HIGH = 1.25;
 
-/* How much more force leaves the same distance on a hundredth of the thickness: of bending no
- * more, of a membrane its square, of what keeps a solid's faces apart its cube. What is left
- * last is bending the more the better a sheet is cured. */
+/* How much more force leaves the same distance on a hundredth of the thickness: of bending
+ * no more, of a membrane its square, of what keeps a solid's faces apart its cube. What is
+ * left last is bending the more the better a sheet is cured. */
 static const double RISES = 10, RISES_AT_MOST = 1e6;
 
 enum { CHANGES = 8, SHEETS = 3 };

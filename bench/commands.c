@@ -137,12 +137,11 @@ static enum status run(struct command_line *line, struct message *why)
         if (line->word_count)
             return list_section(&sections[n], why);
         printf("%s%s:\n", n ? "\n" : "", sections[n].name);
-        TRY(list_section(&sections[n], why));
+        CALL(list_section(&sections[n], why));
     }
     if (line->word_count)
         st = status_fail(why, STATUS_INPUT, "list: there are " NAMES(", ") ", but no '%s'",
                          line->words[0]);
-out:
     return st;
 }
 

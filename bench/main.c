@@ -130,7 +130,7 @@ static enum status run(int argc, char **argv, struct message *why)
 {
     enum status st = STATUS_OK;
     const struct command *command = NULL;
-    struct command_line line = {0};
+    struct command_line line SCOPED(command_line_clear) = {0};
     bool help;
 
     if (!argc)
@@ -150,17 +150,15 @@ static enum status run(int argc, char **argv, struct message *why)
         print_plan_help(stdout);
         return STATUS_OK;
     }
-    TRY(commands_find(argv[help], &command, why));
+    CALL(commands_find(argv[help], &command, why));
     if (help || asks_for_help(argc - 1, argv + 1)) {
         command_help(command, stdout);
         return STATUS_OK;
     }
-    TRY(command_parse(command, argc - 1, argv + 1, &line, why));
+    CALL(command_parse(command, argc - 1, argv + 1, &line, why));
     st = command->run(&line, why);
     const enum status printed = printer_close(&line.printer);
     st = st == STATUS_OK ? printed : st;
-out:
-    command_line_clear(&line);
     return st;
 }
 

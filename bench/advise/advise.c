@@ -313,7 +313,7 @@ static void say_command(const struct advise_search *s, const struct contest_row 
                         FILE *file)
 {
     const struct compare_job *j = s->job;
-    struct settings all = {0};
+    struct settings all SCOPED(settings_clear) = {0};
 
     contest_settings(&j->contest, &r->at, &all);
     settings_append(&all, &j->truth);
@@ -321,7 +321,6 @@ static void say_command(const struct advise_search *s, const struct contest_row 
     for (int n = 0; n < all.count; n++)
         fprintf(file, " --set '%s'", all.text[n]);
     fputs("\n\n", file);
-    settings_clear(&all);
 }
 
 /* Says the masses and stiffnesses of the net, if it is one of points; they are
@@ -395,23 +394,19 @@ enum status advise_print(const struct advise_search *s, struct printer *p,
                          struct message *why)
 {
     char caption[TEXT];
-    struct dataset *t = create(s, caption);
     const struct contest_row *ranked[MOST];
     const struct contest_row *best = rank(s, ranked) ? ranked[0] : NULL;
-    enum status st;
 
     if (printer_is_prose(p)) {
         say_needs(s, p->file);
         say_answer(s, best, p->file);
     }
     if (best)
-        TRY(say_net(s, best, p, why));
+        CALL(say_net(s, best, p, why));
+    struct dataset *t = create(s, caption);
     fill(t, s);
     note_method(t, s);
     return printer_table(p, t, "advise", why);
-out:
-    dataset_destroy(t);
-    return st;
 }
 
 /* --- the command --- */
@@ -442,18 +437,16 @@ static const double MOST_PLAIN = 0.1;
 static enum status read_wish(const struct command_line *line, struct advise_wish *wish,
                              struct message *why)
 {
-    enum status st;
-
     const char *budget = command_value(line, "--budget");
     double frame = 0;
     char end;
 
     *wish = (struct advise_wish){.error = NAN, .budget = BUDGET};
-    TRY(command_number(line, "--error", true, &wish->error, why));
+    CALL(command_number(line, "--error", true, &wish->error, why));
     if (budget && sscanf(budget, "%lfm%c", &frame, &end) == 2 && end == 's')
         wish->frame = frame / 1e3;
     else
-        TRY(command_number(line, "--budget", false, &wish->budget, why));
+        CALL(command_number(line, "--budget", false, &wish->budget, why));
     if ((wish->frame > 0) == (wish->error < 1))
         return status_fail(why, STATUS_INPUT,
                            "advise needs either --error, below 100%%, as in --error 2%%, "
@@ -465,9 +458,7 @@ static enum status read_wish(const struct command_line *line, struct advise_wish
             "--error %s is %g %% of the length; write --error %s%% or --error "
             "%g%%, whichever is meant",
             error, 100 * wish->error, error, 100 * wish->error);
-    TRY(read_rate(line, &wish->rate, why));
-out:
-    return st;
+    return read_rate(line, &wish->rate, why);
 }
 
 /* Returns whether the truth cannot tell who serves, and says so. */
@@ -500,11 +491,10 @@ static bool is_undecidable(const struct advise_search *s, const struct message *
 static enum status enter(struct advise_search *s, const char *models, struct message *why)
 {
     struct contest *c = &s->job->contest;
-    enum status st;
 
     if (!is_for_frames(s))
         return compare_job_enter(s->job, models, 1, false, why);
-    TRY(compare_job_enter(s->job, models, CONTEST_RUNGS, false, why));
+    CALL(compare_job_enter(s->job, models, CONTEST_RUNGS, false, why));
     const struct contestant *who;
     for (int k = 0; (who = contest_entrant(c, k)); k++) {
         struct contest_at rung[CONTEST_RUNGS];
@@ -515,8 +505,7 @@ static enum status enter(struct advise_search *s, const char *models, struct mes
         if (half.size[CONTEST_NET] < rung[0].size[CONTEST_NET])
             contest_add(c, &half);
     }
-out:
-    return st;
+    return STATUS_OK;
 }
 
 static enum status answer(struct advise_search *s, const char *models, struct printer *p,
@@ -528,11 +517,10 @@ static enum status answer(struct advise_search *s, const char *models, struct pr
                                     FOR_TRUTH * s->wish.budget, .alone = true};
     const double start = clock_now();
     struct message said = {""};
-    enum status st;
 
-    TRY(folder_make(j->folder, why));
+    CALL(folder_make(j->folder, why));
     timing_alone();
-    TRY(compare_job_truth(j, &wish, &said, why));
+    CALL(compare_job_truth(j, &wish, &said, why));
     if (j->found)
         s->target = frames ? fmax(contest_largest_bar(&j->contest), LEAST)
                            : s->wish.error - contest_largest_bar(&j->contest);
@@ -540,11 +528,9 @@ static enum status answer(struct advise_search *s, const char *models, struct pr
         return STATUS_FAILED;
     s->wish.budget -= clock_now() - start;
     j->until = clock_now() + s->wish.budget;
-    TRY(enter(s, models, why));
-    TRY(search(s, why));
-    TRY(advise_print(s, p, why));
-out:
-    return st;
+    CALL(enter(s, models, why));
+    CALL(search(s, why));
+    return advise_print(s, p, why);
 }
 
 /* Cells of a net may be so many times as long as wide where the motion has no direction of
@@ -553,7 +539,8 @@ static const double CELLS = 3;
 
 static enum status run(struct command_line *line, struct message *why)
 {
-    struct compare_job job = {.contest = {.quick = true, .advises = true}};
+    struct compare_job job SCOPED(compare_job_close) = {
+        .contest = {.quick = true, .advises = true}};
     struct advise_search s = {.job = &job};
     const char *out = command_value(line, "--out");
     char folder[4096];
@@ -561,22 +548,18 @@ static enum status run(struct command_line *line, struct message *why)
                *models = one ? one : command_value(line, "--models");
     double until = NAN;
     int given;
-    enum status st;
 
-    TRY(contestant_check(models, why));
-    TRY(read_wish(line, &s.wish, why));
-    TRY(command_number(line, "--until", false, &until, why));
+    CALL(contestant_check(models, why));
+    CALL(read_wish(line, &s.wish, why));
+    CALL(command_number(line, "--until", false, &until, why));
     const char *const *set = command_values(line, "--set", &given);
     settings_set_all(&job.user, given, set);
-    TRY(compare_job_open(&job, line->words[0], until, why));
+    CALL(compare_job_open(&job, line->words[0], until, why));
     snprintf(folder, sizeof folder, "results/advise_%s", job.scene.name);
     job.folder = out ? out : folder;
     job.contest.cells = scene_same_across(&job.scene) ? 0 : CELLS;
     line->printer.folder = job.folder;
-    TRY(answer(&s, models, &line->printer, why));
-out:
-    compare_job_close(&job);
-    return st;
+    return answer(&s, models, &line->printer, why);
 }
 
 static const struct command_option options[] = {

@@ -207,13 +207,12 @@ const struct judge_told *claim_all(const struct study_results *d, struct arena *
 enum status claim_tell(const struct study_results *d, struct printer *p, struct kept *kept,
                        struct message *why)
 {
-    struct arena own = {0};
+    struct arena own SCOPED(arena_clear) = {0};
     int count;
-    enum status st;
 
-    TRY(results_print(d, p, why));
+    CALL(results_print(d, p, why));
     if (claim_find(d->plan->name) == claim_table4)
-        TRY(claim_table4_print(d, p, why));
+        CALL(claim_table4_print(d, p, why));
     if (printer_is_prose(p)) {
         const struct judge_told *told = claim_all(d, &own, &count);
         for (int n = 0; n < count; n++)
@@ -221,7 +220,5 @@ enum status claim_tell(const struct study_results *d, struct printer *p, struct 
         if (p->file)
             measurement_machine(d->machine, p->file);
     }
-out:
-    arena_clear(&own);
-    return st;
+    return STATUS_OK;
 }

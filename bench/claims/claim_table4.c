@@ -193,15 +193,11 @@ static struct dataset *hindsight_table(const struct study_results *d)
 enum status claim_table4_print(const struct study_results *d, struct printer *p,
                                struct message *why)
 {
-    enum status st = STATUS_OK;
-
     if (d->quick) /* whose runs are given no verdicts */
         return STATUS_OK;
-    TRY(printer_table(p, words_table(d), NULL, why));
-    TRY(printer_table(p, counts_table(d), NULL, why));
-    TRY(printer_table(p, hindsight_table(d), NULL, why));
-out:
-    return st;
+    CALL(printer_table(p, words_table(d), NULL, why));
+    CALL(printer_table(p, counts_table(d), NULL, why));
+    return printer_table(p, hindsight_table(d), NULL, why);
 }
 
 /* --- The claims. */

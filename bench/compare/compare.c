@@ -58,31 +58,24 @@ static enum status spread_times(struct compare_job *j, double until, struct mess
 static enum status choose_times(struct compare_job *j, double until, struct message *why)
 {
     const double most = fmin(UNTIL, j->scene.end);
-    enum status st;
 
     if (!isnan(until))
         return spread_times(j, until, why);
     /* late: known at rest, at the end */
     for (int late = 0; late < 2 && !j->times; late++)
-        TRY(truth_stored_times(j->path, &j->truth, late ? j->scene.end : most,
-                               CONTEST_TIMES, j->time, &j->times, why));
+        CALL(truth_stored_times(j->path, &j->truth, late ? j->scene.end : most,
+                                CONTEST_TIMES, j->time, &j->times, why));
     return j->times ? STATUS_OK : spread_times(j, most, why);
-out:
-    return st;
 }
 
 enum status compare_job_open(struct compare_job *j, const char *scene, double until,
                              struct message *why)
 {
-    enum status st;
-
-    TRY(scene_file_find(scene, &j->path, why));
-    TRY(contestant_read_scene(&j->user, j->path, &j->scene, why));
+    CALL(scene_file_find(scene, &j->path, why));
+    CALL(contestant_read_scene(&j->user, j->path, &j->scene, why));
     j->contest.scene = &j->scene;
     choose_damping(j);
-    TRY(choose_times(j, until, why));
-out:
-    return st;
+    return choose_times(j, until, why);
 }
 
 void compare_job_close(struct compare_job *j)
@@ -100,9 +93,8 @@ enum status compare_job_enter(struct compare_job *j, const char *models, int run
 {
     const struct model *model;
     struct contest_at at[CONTEST_RUNGS];
-    enum status st;
 
-    TRY(contestant_check(models, why));
+    CALL(contestant_check(models, why));
     for (int m = 0; (model = contestant_model(m)); m++)
         for (const struct contestant *who = contestant_table; who->name; who++) {
             if (who->model != model || !contestant_chosen(who, models, CONTESTANT_COMPARE))
@@ -113,8 +105,7 @@ enum status compare_job_enter(struct compare_job *j, const char *models, int run
             for (int n = 0; n < count && n < rungs; n++)
                 contest_add(&j->contest, &at[n]);
         }
-out:
-    return st;
+    return STATUS_OK;
 }
 
 enum status compare_job_truth(struct compare_job *j, const struct truth_wish *wish,
@@ -209,16 +200,14 @@ out:
 static enum status measure_all(struct compare_job *j, struct message *why)
 {
     struct contest *c = &j->contest;
-    enum status st;
 
-    TRY(compare_job_rows(j, 0, why));
-    TRY(contest_search_all(c, compare_job_rows, j, why));
+    CALL(compare_job_rows(j, 0, why));
+    CALL(contest_search_all(c, compare_job_rows, j, why));
     const int searched = c->count;
     contest_search_limits(c);
     if (c->count > searched)
-        TRY(compare_job_rows(j, searched, why));
-out:
-    return st;
+        CALL(compare_job_rows(j, searched, why));
+    return STATUS_OK;
 }
 
 /* Runs and times the ladder, the rows that it makes worth a try (contest_search_all), then,
@@ -570,7 +559,6 @@ static enum status read_longest(struct contest *c, const struct command_line *li
 static enum status prepare(struct compare_job *j, const struct command_line *line,
                            const char *scene, struct message *why)
 {
-    enum status st;
     int given;
     double until = NAN;
     const char *const *set = command_values(line, "--set", &given);
@@ -578,12 +566,10 @@ static enum status prepare(struct compare_job *j, const struct command_line *lin
     j->contest.quick = command_given(line, "--quick");
     j->read_only = command_given(line, "--from");
     settings_set_all(&j->user, given, set);
-    TRY(command_number(line, "--until", false, &until, why));
-    TRY(compare_job_open(j, scene, until, why));
-    TRY(read_longest(&j->contest, line, why));
-    TRY(command_number(line, "--budget", false, &j->contest.budget, why));
-out:
-    return st;
+    CALL(command_number(line, "--until", false, &until, why));
+    CALL(compare_job_open(j, scene, until, why));
+    CALL(read_longest(&j->contest, line, why));
+    return command_number(line, "--budget", false, &j->contest.budget, why);
 }
 
 /* Leaves times out at which the truth can tell none of the targets, and says so where the
@@ -682,17 +668,14 @@ out:
 static enum status prepare_all(const struct command_line *line, struct compare_job *jobs,
                                struct message *why)
 {
-    enum status st = STATUS_OK;
-
     for (int n = 0; n < line->word_count; n++) {
-        TRY(prepare(&jobs[n], line, line->words[n], why));
+        CALL(prepare(&jobs[n], line, line->words[n], why));
         for (int k = 0; k < n; k++)
             if (!strcmp(jobs[k].scene.name, jobs[n].scene.name))
-                TRY(status_fail(why, STATUS_INPUT, "%s: two scenes of the name %s",
-                                line->words[n], jobs[n].scene.name));
+                return status_fail(why, STATUS_INPUT, "%s: two scenes of the name %s",
+                                   line->words[n], jobs[n].scene.name);
     }
-out:
-    return st;
+    return STATUS_OK;
 }
 
 static enum status run(struct command_line *line, struct message *why)

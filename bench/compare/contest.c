@@ -303,7 +303,7 @@ bool contest_on_front(const struct contest *c, const struct contest_row *row)
 
 double contest_growth(const struct contest *c, const struct contestant *who)
 {
-    struct arena own = {0};
+    struct arena own SCOPED(arena_clear) = {0};
     double *error = arena_take(&own, (size_t)c->count, sizeof *error), power = NAN;
     double *seconds = arena_take(&own, (size_t)c->count, sizeof *seconds);
     int count = 0;
@@ -315,7 +315,6 @@ double contest_growth(const struct contest *c, const struct contestant *who)
         }
     if (count >= 3)
         power = -fit_exponent(count, error, seconds);
-    arena_clear(&own);
     return power;
 }
 
@@ -746,7 +745,6 @@ static enum status search_to(struct contest *c, double longest, double dearest,
 {
     const struct contest_wish wish = {CONTEST_TARGETS, contest_target, longest};
     struct tries t;
-    enum status st = STATUS_OK;
 
     for (int round = 0; round < MOST_ROUNDS; round++) {
         const int first = c->count;
@@ -755,10 +753,9 @@ static enum status search_to(struct contest *c, double longest, double dearest,
         arena_clear(&t.arena);
         if (c->count == first)
             break;
-        TRY(measure(context, first, why));
+        CALL(measure(context, first, why));
     }
-out:
-    return st;
+    return STATUS_OK;
 }
 
 void contest_tell_unsearched(struct contest *c)
@@ -783,15 +780,13 @@ enum status contest_search_all(struct contest *c, contest_measure *measure, void
                                struct message *why)
 {
     double longest = c->budget > 0 ? FIRST * c->longest : c->longest;
-    enum status st = STATUS_OK;
 
     for (; longest < c->longest; longest *= DEARER)
-        TRY(search_to(c, longest, longest, measure, context, why));
-    TRY(search_to(c, c->longest, INFINITY, measure, context, why));
+        CALL(search_to(c, longest, longest, measure, context, why));
+    CALL(search_to(c, c->longest, INFINITY, measure, context, why));
     if (c->budget > 0)
         contest_tell_unsearched(c);
-out:
-    return st;
+    return STATUS_OK;
 }
 
 void contest_search_limits(struct contest *c)

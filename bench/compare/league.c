@@ -192,14 +192,9 @@ static struct dataset *list_all(int count, const struct contest *const *contests
 enum status league_print(int count, const struct contest *const *contests,
                          struct printer *p, struct message *why)
 {
-    struct dataset *t = list_all(count, contests);
-    enum status st;
-
     if (printer_is_data(p))
-        return printer_table(p, t, "compare_scenes", why);
-    TRY(printer_save(p, t, "compare_scenes", why));
-    st = print_people(count, contests, p, why);
-out:
-    dataset_destroy(t);
-    return st;
+        return printer_table(p, list_all(count, contests), "compare_scenes", why);
+    struct dataset *t SCOPED(dataset_destroy_scope) = list_all(count, contests);
+    CALL(printer_save(p, t, "compare_scenes", why));
+    return print_people(count, contests, p, why);
 }

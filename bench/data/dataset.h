@@ -64,6 +64,7 @@ struct dataset {
 struct dataset *dataset_create(int column_count, const struct dataset_column *columns,
                                const char *caption);
 void dataset_destroy(struct dataset *t); /* NULL is allowed */
+SCOPE_OF(dataset_destroy, struct dataset)
 
 /* Creates one of an array of columns. */
 #define DATASET_OF(columns, caption)                                                       \

@@ -32,16 +32,13 @@ enum status printer_save(const struct printer *p, const struct dataset *t, const
 {
     struct output *out = NULL;
     char file[256];
-    enum status st;
 
     if (!p->folder)
         return STATUS_OK;
     snprintf(file, sizeof file, "%s.csv", name);
-    TRY(output_create_in(p->folder, file, &out, why));
+    CALL(output_create_in(p->folder, file, &out, why));
     table_lines(t, output_stream(out));
-    st = output_close(&out, why);
-out:
-    return st;
+    return output_close(&out, why);
 }
 
 static enum status print(const struct dataset *t, enum table_format format, FILE *file)

@@ -54,11 +54,10 @@ void wrap_item(const char *name, int column, const char *text, FILE *file)
 
 void wrap_say(FILE *file, const char *format, ...)
 {
-    struct arena own = {0};
+    struct arena own SCOPED(arena_clear) = {0};
     va_list words;
 
     va_start(words, format);
     wrap_print(arena_vprint(&own, format, words), file);
     va_end(words);
-    arena_clear(&own);
 }

@@ -59,10 +59,9 @@ enum status kept_close(struct kept **kept, struct message *why)
     struct printer p = {TABLE_CSV, output_stream(k->file)};
     if (dataset_count(k->sentences))
         st = printer_table(&p, k->sentences, NULL, why), k->sentences = NULL;
-    struct output *file = end(kept);
+    struct output *file SCOPED(output_discard_scope) = end(kept);
     if (st == STATUS_OK)
         return output_close(&file, why);
-    output_discard(file);
     return st;
 }
 

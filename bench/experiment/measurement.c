@@ -99,15 +99,14 @@ static enum status store_times(const struct measurement_options *options, struct
 
     if (!t)
         return STATUS_OK;
-    TRY(run_file_seconds(j->file, "create", t->create, t->repeats, 0, why));
-    TRY(run_file_seconds(j->file, t->rest ? "equilibrium" : "advance", t->advance,
-                         t->repeats, t->frames, why));
-    TRY(run_file_bytes(j->file, t->bytes, why));
-    TRY(run_file_seconds(j->file, "timed", &together[0], 1, 0, why));
-    TRY(run_file_seconds(j->file, "processor", &together[1], 1, 0, why));
+    CALL(run_file_seconds(j->file, "create", t->create, t->repeats, 0, why));
+    CALL(run_file_seconds(j->file, t->rest ? "equilibrium" : "advance", t->advance,
+                          t->repeats, t->frames, why));
+    CALL(run_file_bytes(j->file, t->bytes, why));
+    CALL(run_file_seconds(j->file, "timed", &together[0], 1, 0, why));
+    CALL(run_file_seconds(j->file, "processor", &together[1], 1, 0, why));
     if (j->c.phases)
         st = store_phases(options, j, why);
-out:
     return st;
 }
 
@@ -116,11 +115,10 @@ out:
 
 static bool is_kept(const struct case_plan *c)
 {
-    struct run_result r = {0};
+    struct run_result r SCOPED(run_result_clear) = {0};
     const bool kept = run_result_read(c->keep.file, false, &r, NULL) == STATUS_OK &&
                       !strcmp(r.made_for, c->keep.made_for);
 
-    run_result_clear(&r);
     return kept;
 }
 
@@ -153,19 +151,17 @@ static enum status open_job(const struct measurement_options *o, struct job *j,
 {
     struct run_keep *keep = &j->c.keep;
     unsigned long sum = case_program(j->c.timed != CASE_UNTIMED);
-    enum status st;
 
     j->c.until = o->until;
     keep->quick = o->quick;
-    TRY(run_read(&j->run, &j->c, why));
+    CALL(run_read(&j->run, &j->c, why));
     if (keep->times < 0)
         keep->times = j->run.scene.snapshot_count, keep->time = j->run.scene.snapshots;
     if (o->pool)
         sum = seal_sum(sum, &o->pool->time_limit, sizeof o->pool->time_limit);
     case_key(&j->c, &j->run.scene, o->truth ? add_truth(sum, &j->run.scene) : sum, j->key);
     keep->made_for = j->key;
-out:
-    return st;
+    return STATUS_OK;
 }
 
 /* Reads the scenes, and marks the cases that are done, whose files are there. */
@@ -268,31 +264,29 @@ static enum status run_group(struct bar *bar, int count, struct case_plan *cases
     const int first = *next;
     int followed = 0;
     double timing = 0;
-    enum status st = STATUS_OK;
 
     for (; *next < count && (*next == first || clock_now() - start + timing < room);
          ++*next) {
         struct job *j = &jobs[*next];
         if (cases[*next].done)
             continue;
-        TRY(run_file_follow(&j->c, &j->run, &j->motion, &j->file, why));
-        TRY(put_away(j, why));
+        CALL(run_file_follow(&j->c, &j->run, &j->motion, &j->file, why));
+        CALL(put_away(j, why));
         timing += expected(bar->options, j);
         report(bar, ++followed, 0);
     }
     bar->before += followed;
-    TRY(time_all(bar, *next - first, &jobs[first], why));
+    CALL(time_all(bar, *next - first, &jobs[first], why));
     bar->before += TIMING_REPEATS * followed;
     for (int n = first; n < *next; n++) {
         struct run_file *file = jobs[n].file;
         jobs[n].file = NULL;
         if (file)
-            TRY(run_file_close(file, jobs[n].motion.model ? &jobs[n].motion : NULL, NULL,
-                               why));
+            CALL(run_file_close(file, jobs[n].motion.model ? &jobs[n].motion : NULL, NULL,
+                                why));
         cases[n].done = true;
     }
-out:
-    return st;
+    return STATUS_OK;
 }
 
 /* --- without timing ----------------------------------------------------------------------

@@ -13,6 +13,8 @@
 #include "bench/harness/derived_key.h"
 #include "bench/harness/measures.h"
 
+SCOPE_OF(yaml_tree_free, struct yaml_tree)
+
 /* All that a plan has lies in its arena. What a schema fills begins with the pointer to it.
  */
 #define ARENA_OF(target) (*(struct arena **)(target))
@@ -84,12 +86,12 @@ static enum status add_value(struct arena *a, struct plan_settings *settings,
                              const char *key, const struct yaml_tree *node,
                              struct message *why)
 {
-    enum status st;
-    char *value = NULL;
+    enum status st = STATUS_OK;
+    char *value SCOPED(scope_free) = NULL;
     size_t size;
     FILE *text;
 
-    TRY(check_key(key, node, why));
+    CALL(check_key(key, node, why));
     text = open_memstream(&value, &size);
     if (!text)
         arena_end();
@@ -104,8 +106,6 @@ static enum status add_value(struct arena *a, struct plan_settings *settings,
                               yaml_tree_quote(key).text, yaml_tree_describe(node).text);
     else
         add_text(a, settings, key, value, node->line);
-    free(value);
-out:
     return st;
 }
 
@@ -153,18 +153,15 @@ static enum status read_mixed(const struct schema_key *keys, const struct yaml_t
                               const char *what, void *target,
                               struct plan_settings *settings, struct message *why)
 {
-    enum status st = STATUS_OK;
-
     if (node->kind != YAML_TREE_MAP)
         return yaml_tree_refuse(node, why, "%s is %s, but must be a map {KEY: VALUE, ...}",
                                 what, yaml_tree_describe(node).text);
     for (const struct yaml_tree *child = node->first; child; child = child->next) {
         const struct schema_key *key = find_key(keys, child->key);
-        TRY(key ? read_value(key, child, target, why)
-                : add_value(ARENA_OF(target), settings, child->key, child, why));
+        CALL(key ? read_value(key, child, target, why)
+                 : add_value(ARENA_OF(target), settings, child->key, child, why));
     }
-out:
-    return st;
+    return STATUS_OK;
 }
 
 /* Reads {KEY: VALUE, ...} into the struct plan_settings at key->offset. */
@@ -308,14 +305,13 @@ static enum status fill_range(struct arena *a, struct plan_axis *axis,
                               const struct yaml_tree *node, struct message *why)
 {
     struct range r = {.scale = 0};
-    enum status st;
 
-    TRY(schema_read(RANGE, node, "an axis", &r, why));
+    CALL(schema_read(RANGE, node, "an axis", &r, why));
     if (r.scale && !(r.from > 0 && r.to > 0))
-        TRY(yaml_tree_refuse(node, why,
-                             "the axis %s goes from %g to %g on a log scale, but both "
-                             "must be above 0",
-                             yaml_tree_quote(axis->name).text, r.from, r.to));
+        CALL(yaml_tree_refuse(node, why,
+                              "the axis %s goes from %g to %g on a log scale, but both "
+                              "must be above 0",
+                              yaml_tree_quote(axis->name).text, r.from, r.to));
     for (int n = 0; n < r.count; n++) {
         const double share = (double)n / (r.count - 1);
         double value =
@@ -327,43 +323,37 @@ static enum status fill_range(struct arena *a, struct plan_axis *axis,
         add_text(a, &add_level(a, axis, text, axis->line)->settings, axis->name, text,
                  axis->line);
     }
-out:
-    return st;
+    return STATUS_OK;
 }
 
 /* Adds listed values of the key that the axis is called by. */
 static enum status fill_values(struct arena *a, struct plan_axis *axis,
                                const struct yaml_tree *values, struct message *why)
 {
-    enum status st = STATUS_OK;
-
     for (const struct yaml_tree *v = values->first; v; v = v->next) {
         struct plan_level *level = add_level(a, axis, "", v->line);
-        TRY(add_value(a, &level->settings, axis->name, v, why));
+        CALL(add_value(a, &level->settings, axis->name, v, why));
         level->label =
             arena_print(a, "%s", v->text ? v->text : level->settings.list->value);
     }
-out:
-    return st;
+    return STATUS_OK;
 }
 
 static enum status fill_labels(struct arena *a, struct plan_axis *axis,
                                const struct yaml_tree *node, struct message *why)
 {
     static const struct schema_key label = {"a label", .type = SCHEMA_TEXT};
-    enum status st = STATUS_OK;
 
     for (const struct yaml_tree *v = node->first; v; v = v->next) {
         struct plan_level *level = add_level(a, axis, v->key, v->line);
         const struct yaml_tree text = {
             .kind = YAML_TREE_SCALAR, .text = v->key, .origin = v->origin, .line = v->line};
         char *good = NULL;
-        TRY(schema_text(&label, &text, &good, why));
+        CALL(schema_text(&label, &text, &good, why));
         free(good);
-        TRY(read_mixed(LEVEL, v, v->key, level, &level->settings, why));
+        CALL(read_mixed(LEVEL, v, v->key, level, &level->settings, why));
     }
-out:
-    return st;
+    return STATUS_OK;
 }
 
 /* Reads an axis: [VALUE, ...] or a range of the key that it is called by, or
@@ -372,24 +362,23 @@ static enum status read_axis(struct arena *a, const struct yaml_tree *node,
                              struct plan_axis *axis, struct message *why)
 {
     const bool list = node->kind == YAML_TREE_LIST;
-    enum status st;
+    enum status st = STATUS_OK;
 
     axis->line = node->line;
     axis->name = arena_print(a, "%s", node->key);
-    TRY(check_key(axis->name, node, why));
+    CALL(check_key(axis->name, node, why));
     if (node->kind == YAML_TREE_SCALAR || !node->count || node->count > PLAN_AXIS_MOST)
-        TRY(yaml_tree_refuse(node, why,
-                             "the axis %s is %s, but must be a list of values, a map "
-                             "{from: ..., to: ..., count: ...} or {LABEL: {KEY: VALUE}}",
-                             yaml_tree_quote(axis->name).text,
-                             yaml_tree_describe(node).text));
+        CALL(yaml_tree_refuse(node, why,
+                              "the axis %s is %s, but must be a list of values, a map "
+                              "{from: ..., to: ..., count: ...} or {LABEL: {KEY: VALUE}}",
+                              yaml_tree_quote(axis->name).text,
+                              yaml_tree_describe(node).text));
     st = list                           ? fill_values(a, axis, node, why)
          : yaml_tree_find(node, "from") ? fill_range(a, axis, node, why)
                                         : fill_labels(a, axis, node, why);
     for (int n = 0; n < axis->count; n++)
         if (!axis->levels[n].name)
             axis->levels[n].name = make_name(a, axis->levels[n].label);
-out:
     return st;
 }
 
@@ -453,7 +442,6 @@ static enum status read_studies(const struct schema_key *key, const struct yaml_
                                 void *target, struct message *why)
 {
     struct plan *plan = target;
-    enum status st = STATUS_OK;
 
     if (node->kind != YAML_TREE_MAP || node->count < 1)
         return schema_refuse(key, node, why);
@@ -463,10 +451,9 @@ static enum status read_studies(const struct schema_key *key, const struct yaml_
         *study =
             (struct plan_study){plan->arena, .name = arena_print(plan->arena, "%s", n->key),
                                 .line = n->line, .time_count = -1};
-        TRY(read_mixed(STUDY, n, n->key, study, &study->settings, why));
+        CALL(read_mixed(STUDY, n, n->key, study, &study->settings, why));
     }
-out:
-    return st;
+    return STATUS_OK;
 }
 
 /* Reads a label, or a list of them, on each axis of a map; and into *target what is in the
@@ -475,8 +462,6 @@ static enum status read_labels(const struct schema_key *keys, const struct yaml_
                                void *target, struct plan_settings *labels,
                                struct message *why)
 {
-    enum status st = STATUS_OK;
-
     if (node->kind != YAML_TREE_MAP)
         return yaml_tree_refuse(node, why, "%s, but a map {AXIS: LABEL} is wanted",
                                 yaml_tree_describe(node).text);
@@ -484,7 +469,7 @@ static enum status read_labels(const struct schema_key *keys, const struct yaml_
         const bool list = axis->kind == YAML_TREE_LIST;
         const struct schema_key *key = find_key(keys, axis->key);
         if (key)
-            TRY(read_value(key, axis, target, why));
+            CALL(read_value(key, axis, target, why));
         for (const struct yaml_tree *n = list ? axis->first : axis; n && !key;
              n = list ? n->next : NULL) {
             if (!n->text)
@@ -493,8 +478,7 @@ static enum status read_labels(const struct schema_key *keys, const struct yaml_
             add_text(ARENA_OF(target), labels, axis->key, n->text, n->line);
         }
     }
-out:
-    return st;
+    return STATUS_OK;
 }
 
 static const struct schema_key NONE[] = {{NULL}};
@@ -547,7 +531,6 @@ static enum status read_readings(const struct schema_key *key, const struct yaml
                                  void *target, struct message *why)
 {
     struct plan_statement *s = (void *)((char *)target + key->offset);
-    enum status st = STATUS_OK;
 
     if (node->kind != YAML_TREE_MAP || node->count < 1 || node->count > PLAN_READINGS)
         return schema_refuse(key, node, why);
@@ -556,10 +539,9 @@ static enum status read_readings(const struct schema_key *key, const struct yaml
         struct plan_reading *r = &s->readings[s->reading_count++];
         r->arena = ARENA_OF(target);
         r->name = arena_print(r->arena, "%s", n->key);
-        TRY(read_labels(READING, n, r, &r->rows, why));
+        CALL(read_labels(READING, n, r, &r->rows, why));
     }
-out:
-    return st;
+    return STATUS_OK;
 }
 
 /* Reads [QUANTITY, ROW, ROW] of a ratio, or [QUANTITY, QUANTITY, ROWS] of an exponent. */
@@ -606,13 +588,12 @@ static enum status read_statement(const struct yaml_tree *node, void *target,
                                   struct message *why)
 {
     struct plan_statement *s = target;
-    enum status st;
+    enum status st = STATUS_OK;
 
     s->line = node->line;
-    TRY(read_table(STATEMENT, node, "a statement", s, why));
+    CALL(read_table(STATEMENT, node, "a statement", s, why));
     if (s->quantity.count != 1 + s->exponent)
         st = yaml_tree_refuse(node, why, "a statement is either a ratio or an exponent");
-out:
     return st;
 }
 
@@ -622,35 +603,28 @@ LIST_READER(read_statements, plan, statements, statement_count, read_statement)
 static enum status load(const char *path, char **text, struct yaml_tree **root,
                         struct message *why)
 {
-    enum status st;
     size_t size = 0;
 
-    TRY(named_file_read(&plan_kind, path, text, &size, why));
-    TRY(yaml_tree_parse(path, false, *text, size, root, why));
-out:
-    return st;
+    CALL(named_file_read(&plan_kind, path, text, &size, why));
+    return yaml_tree_parse(path, false, *text, size, root, why);
 }
 
 /* Reads the rules that another plan has under the key. */
 static enum status read_others(const char *name, const char *key, struct arena *arena,
                                struct rules *rules, struct message *why)
 {
-    enum status st;
-    char *path = NULL, *text = NULL;
-    struct yaml_tree *root = NULL, *list = NULL;
+    char *path SCOPED(scope_free) = NULL;
+    char *text SCOPED(scope_free) = NULL;
+    struct yaml_tree *list = NULL;
+    struct yaml_tree *root SCOPED(yaml_tree_free_scope) = NULL;
 
-    TRY(named_file_find(&plan_kind, name, &path, why));
-    TRY(load(path, &text, &root, why));
+    CALL(named_file_find(&plan_kind, name, &path, why));
+    CALL(load(path, &text, &root, why));
     if (root->kind == YAML_TREE_MAP)
         list = yaml_tree_find(root, key);
     if (!list)
-        TRY(yaml_tree_refuse(root, why, "this plan has no %s", key));
-    TRY(rules_read(list, arena, rules, why));
-out:
-    yaml_tree_free(root);
-    free(text);
-    free(path);
-    return st;
+        CALL(yaml_tree_refuse(root, why, "this plan has no %s", key));
+    return rules_read(list, arena, rules, why);
 }
 
 /* Reads a list of rules, or the plan that has it. */
@@ -863,7 +837,6 @@ static enum status join_axes(struct plan_study *study, const struct yaml_tree *p
                              const struct yaml_tree *own, struct message *why)
 {
     const struct yaml_tree *first = own ? own->first : NULL;
-    enum status st = STATUS_OK;
 
     study->axis_count = 0;
     memset(study->axis, 0, sizeof study->axis);
@@ -875,11 +848,10 @@ static enum status join_axes(struct plan_study *study, const struct yaml_tree *p
             if (study->axis_count == PLAN_STUDY_AXES)
                 return yaml_tree_refuse(n, why, "%s has more than %d axes", study->name,
                                         PLAN_STUDY_AXES);
-            TRY(read_axis(study->arena, other ? other : n,
-                          &study->axis[study->axis_count++], why));
+            CALL(read_axis(study->arena, other ? other : n,
+                           &study->axis[study->axis_count++], why));
         }
-out:
-    return st;
+    return STATUS_OK;
 }
 
 /* Completes a study: what its own map, `node`, does not say is read from the plan's. A
@@ -888,7 +860,6 @@ static enum status complete(struct plan_study *study, const struct yaml_tree *ro
                             const struct yaml_tree *node, const struct plan *plan,
                             struct message *why)
 {
-    enum status st = STATUS_OK;
     const bool own_times = node && yaml_tree_find(node, "times");
     const bool timeless = !own_times && !yaml_tree_find(root, "times");
 
@@ -896,21 +867,19 @@ static enum status complete(struct plan_study *study, const struct yaml_tree *ro
         const struct yaml_tree *plans = yaml_tree_find(root, key->key);
         const struct yaml_tree *own = node ? yaml_tree_find(node, key->key) : NULL;
         if (plans && key->read == read_axes)
-            TRY(join_axes(study, plans, own, why));
+            CALL(join_axes(study, plans, own, why));
         else if (plans && !own && !(own_times && !strcmp(key->key, "quick_times")))
-            TRY(read_value(key, plans, study, why));
+            CALL(read_value(key, plans, study, why));
     }
     study->times_line = line_of(own_times ? node : root, "times", 0);
     study->time_count = timeless ? -1 : study->time_count;
     if (!study->axis_count)
-        TRY(plan_case_refuse(plan, study->line, why,
-                             "%s has no axes, and the plan has none for it",
-                             yaml_tree_quote(study->name).text));
+        CALL(plan_case_refuse(plan, study->line, why,
+                              "%s has no axes, and the plan has none for it",
+                              yaml_tree_quote(study->name).text));
     if (!study->caption)
         study->caption = study->name;
-    st = multiply_all(study, plan, why);
-out:
-    return st;
+    return multiply_all(study, plan, why);
 }
 
 /* Completes all studies; a plan without is one, of its own name. */
@@ -918,7 +887,6 @@ static enum status complete_studies(struct plan *plan, const struct yaml_tree *r
                                     struct message *why)
 {
     const struct yaml_tree *node = yaml_tree_find(root, "studies");
-    enum status st = STATUS_OK;
 
     if (!node) {
         plan->studies = arena_take(plan->arena, 1, sizeof *plan->studies);
@@ -928,9 +896,8 @@ static enum status complete_studies(struct plan *plan, const struct yaml_tree *r
     }
     node = node ? node->first : NULL;
     for (int n = 0; n < plan->study_count; n++, node = node ? node->next : NULL)
-        TRY(complete(&plan->studies[n], root, node, plan, why));
-out:
-    return st;
+        CALL(complete(&plan->studies[n], root, node, plan, why));
+    return STATUS_OK;
 }
 
 /* --- the whole ---------------------------------------------------------------------------
@@ -992,7 +959,7 @@ void plan_keys(void (*line)(void *context, const char *key, const char *text),
 /* Returns what a plan is about; with `studies`, nothing if it is none. */
 static char *describe_of(const char *path, bool studies)
 {
-    struct plan plan;
+    struct plan plan SCOPED(plan_clear) = {0};
     struct message why;
     char *text;
 
@@ -1001,7 +968,6 @@ static char *describe_of(const char *path, bool studies)
     text = strdup(studies && !plan_is_study(&plan) ? ""
                   : plan.what                      ? plan.what
                                                    : plan.source);
-    plan_clear(&plan);
     return text;
 }
 
@@ -1091,12 +1057,11 @@ static enum status try_scene(const struct plan *plan, const struct plan_study *s
                              const struct plan_level *level, struct plan_case *c,
                              struct message *why)
 {
-    struct scene scene = {0};
+    struct scene scene SCOPED(scene_clear) = {0};
     enum status st = plan_case_blame(plan, c, plan_case_scene(c, &scene, why), why);
 
     if (st == STATUS_OK)
         st = check_times(plan, study, level, &scene, why);
-    scene_clear(&scene);
     plan_case_clear(c);
     return st;
 }
@@ -1145,10 +1110,9 @@ static bool is_tried(const struct plan_study *study, const struct plan_level *le
 static enum status check_study(const struct plan *plan, int n, struct message *why)
 {
     const struct plan_study *study = &plan->studies[n];
-    enum status st = STATUS_OK;
 
-    TRY(check_name(plan, "a study", plan->study_count > 1 ? study->name : "study", NULL,
-                   study->line, why));
+    CALL(check_name(plan, "a study", plan->study_count > 1 ? study->name : "study", NULL,
+                    study->line, why));
     if (!study->level_count || (study->time_count < 0) == plan_is_study(plan))
         return plan_case_refuse(plan, study->line, why, "the study %s has no %s",
                                 yaml_tree_quote(study->name).text,
@@ -1163,15 +1127,14 @@ static enum status check_study(const struct plan *plan, int n, struct message *w
         if (!is_tried(study, level))
             continue;
         for (int i = 0; study->time_count >= 0 && (i < k || i == 0); i++)
-            TRY(check_name(plan, "a level", level->name,
-                           i < k ? study->levels[i].name : NULL, level->line, why));
-        TRY(try_level(plan, study, level, false, why));
+            CALL(check_name(plan, "a level", level->name,
+                            i < k ? study->levels[i].name : NULL, level->line, why));
+        CALL(try_level(plan, study, level, false, why));
         for (int i = 0; i < PLAN_STUDY_AXES && level->part[i]; i++)
             if (level->part[i]->quick.count)
-                TRY(try_level(plan, study, level, true, why));
+                CALL(try_level(plan, study, level, true, why));
     }
-out:
-    return st;
+    return STATUS_OK;
 }
 
 /* Returns whether some study has an axis of this name, and this label on it. */
@@ -1248,34 +1211,29 @@ out:
 
 static enum status check_studies(const struct plan *plan, struct message *why)
 {
-    enum status st = STATUS_OK;
-
     for (int n = 0; n < plan->statement_count; n++)
-        TRY(check_statement(plan, &plan->statements[n], why));
+        CALL(check_statement(plan, &plan->statements[n], why));
 
     for (int n = 0; n < plan->skip.count; n++)
-        TRY(check_labels(plan, &plan->skip.list[n].labels, why));
+        CALL(check_labels(plan, &plan->skip.list[n].labels, why));
     for (int n = 0; n < plan->paper.count; n++) {
         const struct plan_product *paper = &plan->paper.list[n];
-        TRY(check_labels(plan, &paper->labels, why));
+        CALL(check_labels(plan, &paper->labels, why));
         if (!(paper->paper_ms > 0))
             return plan_case_refuse(plan,
                                     paper->labels.count ? paper->labels.list->line : 1, why,
                                     "an entry of paper lacks the key paper_ms");
     }
-    TRY(check_labels(plan, &plan->reference, why));
-    TRY(check_labels(plan, &plan->table.shown, why));
+    CALL(check_labels(plan, &plan->reference, why));
+    CALL(check_labels(plan, &plan->table.shown, why));
 
     for (int n = 0; n < plan->study_count; n++)
-        TRY(check_study(plan, n, why));
-out:
-    return st;
+        CALL(check_study(plan, n, why));
+    return STATUS_OK;
 }
 
 static enum status check(struct plan *plan, struct message *why)
 {
-    enum status st;
-
     if (!plan_settings_find(&plan->settings, "model")) /* the program's first */
         add_text(plan->arena, &plan->settings, "model", contestant_model(0)->name, 1);
     add_keys(plan);
@@ -1286,9 +1244,7 @@ static enum status check(struct plan *plan, struct message *why)
         return plan_case_refuse(plan, 1, why,
                                 "the plan has more than %d cases, the most there may be",
                                 PLAN_MAX_CASES);
-    TRY(check_studies(plan, why));
-out:
-    return st;
+    return check_studies(plan, why);
 }
 
 enum status plan_read(const char *path, struct plan *plan, struct message *why)

@@ -35,12 +35,11 @@ enum status plan_case_pass(const struct plan *plan, int line, enum status st,
 enum status plan_case_scene(const struct plan_case *c, struct scene *scene,
                             struct message *why)
 {
-    struct run run;
+    struct run run SCOPED(run_close) = {0};
     enum status st = run_read(&run, &c->run, why);
 
     *scene = run.scene;
     run.scene = (struct scene){0};
-    run_close(&run);
     return st;
 }
 
@@ -65,11 +64,10 @@ static const struct plan_setting *given(const struct plan *plan, const struct pl
 static enum status resolve(const struct plan *plan, const struct plan_setting *s,
                            struct plan_case *c, struct message *why)
 {
-    struct scene scene = {0};
+    struct scene scene SCOPED(scene_clear) = {0};
     char *end;
     double want = strtod(s->value, &end), value;
     const struct plan_setting *also = given(plan, c, YOUNG);
-    enum status st;
 
     if (also)
         return plan_case_refuse(
@@ -81,15 +79,13 @@ static enum status resolve(const struct plan *plan, const struct plan_setting *s
         return plan_case_refuse(plan, s->line, why,
                                 "%.40s is '%.40s', but must be a number above 0", s->key,
                                 s->value);
-    TRY(plan_case_scene(c, &scene, why));
+    CALL(plan_case_scene(c, &scene, why));
     value = derived_key_young(s->key, want, &scene);
     if (isnan(value))
-        TRY(plan_case_refuse(plan, s->line, why, "%.40s cannot be set in this scene%s",
-                             s->key, scene.is_fabric ? ": its material is a fabric" : ""));
+        CALL(plan_case_refuse(plan, s->line, why, "%.40s cannot be set in this scene%s",
+                              s->key, scene.is_fabric ? ": its material is a fabric" : ""));
     settings_number(&c->run.settings, YOUNG, value);
-out:
-    scene_clear(&scene);
-    return st;
+    return STATUS_OK;
 }
 
 enum status plan_case_find_scene(const struct plan *plan, const char *argument, char **path,
@@ -148,7 +144,6 @@ enum status plan_case_blame(const struct plan *plan, const struct plan_case *c,
 /* Fills contestant, scene file and settings of a case whose `given` is there. */
 static enum status build(const struct plan *plan, struct plan_case *c, struct message *why)
 {
-    enum status st = STATUS_OK;
     const struct plan_setting *scene = given(plan, c, "scene"),
                               *model = given(plan, c, "model");
     struct message text;
@@ -163,17 +158,17 @@ static enum status build(const struct plan *plan, struct plan_case *c, struct me
     if (!scene)
         return plan_case_refuse(plan, 1, why,
                                 "the plan lacks the key 'scene', a name or a path");
-    TRY(plan_case_pass(plan, model->line,
-                       contestant_find(model->value, &c->run.contestant, &text), &text,
-                       why));
-    TRY(plan_case_pass(plan, scene->line,
-                       plan_case_find_scene(plan, scene->value, &path, &text), &text, why));
+    CALL(plan_case_pass(plan, model->line,
+                        contestant_find(model->value, &c->run.contestant, &text), &text,
+                        why));
+    CALL(plan_case_pass(plan, scene->line,
+                        plan_case_find_scene(plan, scene->value, &path, &text), &text,
+                        why));
     c->run.path = arena_keep(&c->run.settings.arena, path);
     for (int k = 0; k < plan->key_count; k++)
         if (c->given[k] && derived_key_is(c->given[k]->key))
-            TRY(resolve(plan, c->given[k], c, why));
-out:
-    return st;
+            CALL(resolve(plan, c->given[k], c, why));
+    return STATUS_OK;
 }
 
 static void give(const struct plan *plan, const struct plan_settings *settings,
@@ -209,11 +204,10 @@ static void begin(const struct plan *plan, const struct plan_study *study,
 const char *plan_case_words(const struct plan *plan, const struct plan_study *study,
                             const struct plan_level *level, const char *key)
 {
-    struct plan_case c;
+    struct plan_case c SCOPED(plan_case_clear) = {0};
 
     begin(plan, study, level, false, &c);
     const struct plan_setting *s = given(plan, &c, key);
-    plan_case_clear(&c);
     return s ? s->value : NULL;
 }
 

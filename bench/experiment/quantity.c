@@ -221,14 +221,14 @@ static double tip_of_reference(const struct place *p)
 static double swing(const struct place *p)
 {
     const struct study_row *row = &p->s->row[p->level];
-    double *rest = row->left_out ? NULL : metric_rest_field(&row->result.scene);
+    double *rest SCOPED(scope_free) =
+        row->left_out ? NULL : metric_rest_field(&row->result.scene);
     const double angle = rest ? metric_angle(&row->result.scene, rest) : NAN;
     double most = NAN;
 
     for (int t = 0; t <= p->time; t++)
         if (row->xyz[t])
             most = fmax(most, metric_angle(&row->result.scene, row->xyz[t]) - angle);
-    free(rest);
     return most;
 }
 
@@ -259,10 +259,10 @@ static double apart_most(const struct place *p)
 static double off(const struct place *p)
 {
     const struct study *s = p->s;
-    double *rest = known(p) ? metric_rest_field(&s->row[p->level].result.scene) : NULL;
+    double *rest SCOPED(scope_free) =
+        known(p) ? metric_rest_field(&s->row[p->level].result.scene) : NULL;
     const double moved = rest ? metric_rmse(s->truth->xyz[p->time], rest) : NAN;
 
-    free(rest);
     return quantity_at(p, QUANTITY_ERROR) * s->length / moved;
 }
 

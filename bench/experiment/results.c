@@ -231,21 +231,19 @@ static enum status check_quantity(const struct plan *plan, const char *name, int
 
 enum status results_check(const struct plan *plan, struct message *why)
 {
-    enum status st = STATUS_OK;
-
     for (int n = 0; n < plan->table.columns.count; n++)
-        TRY(check_quantity(plan, plan->table.columns.list[n].key,
-                           plan->table.columns.list[n].line, "a column of the table", why));
+        CALL(check_quantity(plan, plan->table.columns.list[n].key,
+                            plan->table.columns.list[n].line, "a column of the table",
+                            why));
     for (int n = 0; n < plan->chart.y.count; n++)
-        TRY(check_quantity(plan, plan->chart.y.list[n].key, plan->chart.y.list[n].line,
-                           "y of the chart", why));
+        CALL(check_quantity(plan, plan->chart.y.list[n].key, plan->chart.y.list[n].line,
+                            "y of the chart", why));
     for (int k = 0; k < plan->statement_count; k++)
         for (int n = 0; n < plan->statements[k].quantity.count; n++)
-            TRY(check_quantity(plan, plan->statements[k].quantity.list[n].key,
-                               plan->statements[k].line, "the quantity of a statement",
-                               why));
-out:
-    return st;
+            CALL(check_quantity(plan, plan->statements[k].quantity.list[n].key,
+                                plan->statements[k].line, "the quantity of a statement",
+                                why));
+    return STATUS_OK;
 }
 
 /* Returns one of a list of quantities. */
@@ -580,11 +578,10 @@ static enum status save_chart(const struct study_results *d, const struct printe
         snprintf(y, sizeof y, "|%s - %g|", q->head, plan->from);
     const struct dataset_column columns[] = {
         {"panel"}, {"line"}, {"x", .key = x}, {"y", .key = y}};
-    struct dataset *t = DATASET_OF(columns, NULL);
+    struct dataset *t SCOPED(dataset_destroy_scope) = DATASET_OF(columns, NULL);
     add_points(t, d, plan);
     snprintf(file, sizeof file, "%.100s_chart", d->plan->name);
     const enum status st = printer_save(p, t, file, why);
-    dataset_destroy(t);
     return st;
 }
 
@@ -593,23 +590,21 @@ static enum status print_view(const struct view *v, struct printer *p, struct me
     const bool people = !printer_is_data(p);
     const bool apart =
         people && v->timed && has_part(v, PART_RUN) && has_part(v, PART_TIMES);
-    struct dataset *all = fill(v, PART_ALL, false, v->caption), *t;
+    struct dataset *t;
+    struct dataset *all SCOPED(dataset_destroy_scope) =
+        fill(v, PART_ALL, false, v->caption);
     char cost[256];
-    enum status st;
 
     snprintf(cost, sizeof cost, "%s%s", v->caption, v->alone ? ": cost" : "");
-    TRY(printer_save(p, all, v->name, why));
+    CALL(printer_save(p, all, v->name, why));
     if (apart)
-        TRY(printer_table(p, fill(v, PART_RUN, people, cost), NULL, why));
+        CALL(printer_table(p, fill(v, PART_RUN, people, cost), NULL, why));
     t = !apart || v->alone ? fill(v, apart ? PART_TIMES : PART_ALL, people, v->caption)
                            : fill(v, PART_TIMES, people,
                                   v->d->plan->table.last ? "The same at the last time"
                                                          : "The same at the times");
     add_notes(t, v);
-    TRY(printer_table(p, t, NULL, why));
-out:
-    dataset_destroy(all);
-    return st;
+    return printer_table(p, t, NULL, why);
 }
 
 enum status results_print(const struct study_results *d, struct printer *p,
@@ -617,10 +612,9 @@ enum status results_print(const struct study_results *d, struct printer *p,
 {
     const struct plan *plan = d->plan;
     struct view v = view_of(d);
-    enum status st = STATUS_OK;
 
     if (plan->chart.x)
-        TRY(save_chart(d, p, why));
+        CALL(save_chart(d, p, why));
     if (!v.alone)
         return print_view(&v, p, why);
     for (int n = 0; n < d->count; n++) {
@@ -628,8 +622,7 @@ enum status results_print(const struct study_results *d, struct printer *p,
         one.study += n;
         one.count = 1;
         v = view_of(&one);
-        TRY(print_view(&v, p, why));
+        CALL(print_view(&v, p, why));
     }
-out:
-    return st;
+    return STATUS_OK;
 }

@@ -52,7 +52,6 @@ out:
 enum status rules_read(const struct yaml_tree *list, struct arena *arena,
                        struct rules *rules, struct message *why)
 {
-    enum status st = STATUS_OK;
     int count = 0;
 
     *rules = (struct rules){0};
@@ -62,10 +61,9 @@ enum status rules_read(const struct yaml_tree *list, struct arena *arena,
                                 "{label: ..., measure: ..., above: ..., why: ...}",
                                 yaml_tree_describe(list).text, RULES_MOST);
     for (const struct yaml_tree *node = list->first; node; node = node->next)
-        TRY(read_rule(node, arena, &rules->rule[count++], why));
+        CALL(read_rule(node, arena, &rules->rule[count++], why));
     rules->count = count;
-out:
-    return st;
+    return STATUS_OK;
 }
 
 struct ruling rules_of(const struct rules *rules, const struct run_result *r)

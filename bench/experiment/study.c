@@ -317,18 +317,18 @@ static enum status read_fields(const struct plan *plan, const struct study *s, i
 /* Compares the cases of a sweep with the reference of each, of which one is held. */
 static enum status compare_all(const struct plan *plan, const char *folder, struct study *s)
 {
-    struct run_result one = {0}, reference = {0};
-    double *rest = NULL;
+    struct run_result reference SCOPED(run_result_clear) = {0};
+    struct run_result one SCOPED(run_result_clear) = {0};
+    double *rest SCOPED(scope_free) = NULL;
     int held = -1;
-    enum status st = STATUS_OK;
 
     for (int n = 0; plan->reference.count && n < s->plan->level_count; n++) {
         const int other = plan_level_with(s->plan, s->row[n].level, &plan->reference);
         if (s->row[n].lost || other < 0)
             continue;
-        TRY(read_fields(plan, s, n, folder, &one));
+        CALL(read_fields(plan, s, n, folder, &one));
         if (other != held) {
-            TRY(read_fields(plan, s, other, folder, &reference));
+            CALL(read_fields(plan, s, other, folder, &reference));
             free(rest);
             rest = s->row[other].lost ? NULL : metric_rest_field(&reference.scene);
             held = other;
@@ -336,11 +336,7 @@ static enum status compare_all(const struct plan *plan, const char *folder, stru
         s->row[n].result.value[MEASURE_REFERENCE_ERROR_MAX] =
             reference_error(&one, &s->row[other], &reference, rest);
     }
-out:
-    run_result_clear(&one);
-    run_result_clear(&reference);
-    free(rest);
-    return st;
+    return STATUS_OK;
 }
 
 static enum status read_one(const struct plan *plan, const struct plan_study *study,
@@ -390,7 +386,7 @@ out:
 static bool is_quick(const struct plan *plan, const char *folder)
 {
     const struct plan_study *study = plan->studies;
-    struct run_result r = {0};
+    struct run_result r SCOPED(run_result_clear) = {0};
     char path[PATH];
     int n = 0;
 
@@ -398,7 +394,6 @@ static bool is_quick(const struct plan *plan, const char *folder)
         n++;
     file_of(plan, study, &study->levels[n], folder, path);
     const bool quick = run_result_read(path, false, &r, NULL) == STATUS_OK && r.quick;
-    run_result_clear(&r);
     return quick;
 }
 

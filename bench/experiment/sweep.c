@@ -29,7 +29,7 @@ static struct dataset *create_table(const struct plan *plan)
 {
     const struct plan_study *first = plan->studies;
     const int count = first->axis_count + plan->key_count + MEASURES + 5;
-    struct arena own = {0};
+    struct arena own SCOPED(arena_clear) = {0};
     struct dataset_column *columns = arena_take(&own, (size_t)count, sizeof *columns),
                           *c = columns;
 
@@ -52,7 +52,6 @@ static struct dataset *create_table(const struct plan *plan)
     *c++ = (struct dataset_column){"labels"};
     *c++ = (struct dataset_column){"outcome"};
     struct dataset *t = dataset_create((int)(c - columns), columns, NULL);
-    arena_clear(&own);
     return t;
 }
 
@@ -88,12 +87,11 @@ static void add_case(struct dataset *t, const struct study_results *d,
 enum status sweep_save(const struct study_results *d, const struct printer *p,
                        struct message *why)
 {
-    struct dataset *t = create_table(d->plan);
+    struct dataset *t SCOPED(dataset_destroy_scope) = create_table(d->plan);
 
     EACH_CASE(d, s, row)
     add_case(t, d, s, row);
     const enum status st = printer_save(p, t, "table", why);
-    dataset_destroy(t);
     return st;
 }
 

@@ -403,12 +403,11 @@ static enum status export_held_find(struct arena *arena, struct export_sheet *s,
                                     struct export_held *held, struct message *why)
 {
     const int vertices = export_sheet_vertices(s);
-    struct supports supports = {0};
-    enum status st;
+    struct supports supports SCOPED(supports_clear) = {0};
 
     *held = (struct export_held){0};
-    TRY(check_thickness(s->scene, why));
-    TRY(find_supports(arena, s, &supports, why));
+    CALL(check_thickness(s->scene, why));
+    CALL(find_supports(arena, s, &supports, why));
     /* a vertex may have one outside along u and one along v; a mesh two an edge */
     held->vertex = arena_take(arena, 7 * ((size_t)vertices + 1), sizeof *held->vertex);
     for (int n = 0; n < vertices; n++)
@@ -417,11 +416,9 @@ static enum status export_held_find(struct arena *arena, struct export_sheet *s,
     if (s->mesh)
         add_mirrored(arena, s, held);
     for (int n = 0, count = held->count; n < count && !s->mesh; n++)
-        TRY(add_clamps(s, held, &held->vertex[n], why));
+        CALL(add_clamps(s, held, &held->vertex[n], why));
     doubt_edges(s, held);
-out:
-    supports_clear(&supports);
-    return st;
+    return STATUS_OK;
 }
 
 /* Returns the path in paths.csv of the nth held vertex: its support's number, or, as a turn
@@ -661,8 +658,8 @@ static void put_springs(const struct export_sheet *s, const struct taker *t,
                         struct message *misfit)
 {
     static const char *const name[] = {"spring u", "spring v", "spring diagonal"};
-    struct mesh mesh = {0};
-    struct spring_net net = {0};
+    struct mesh mesh SCOPED(mesh_clear) = {0};
+    struct spring_net net SCOPED(spring_net_clear) = {0};
 
     if ((!s->mesh && mesh_init(&mesh, s->scene, s->points) != STATUS_OK) ||
         spring_net_init(&net, s->scene, s->mesh ? s->mesh : &mesh, PARAMETERS_MATCHED,
@@ -687,8 +684,6 @@ static void put_springs(const struct export_sheet *s, const struct taker *t,
                                  "N/m", k->length, 1 / k->stiffness});
     }
     spring_net_tell(&net, s->scene, misfit);
-    spring_net_clear(&net);
-    mesh_clear(&mesh);
 }
 
 /* Passes on, one by one, all numbers of a net of points: the material; the mass of each
@@ -1520,35 +1515,30 @@ static enum status write_file(struct export_job *j, const char *name, write_one 
 {
     struct output *out = NULL;
     char path[4096];
-    enum status st;
 
     if (snprintf(path, sizeof path, "%s/%s", folder, name) >= (int)sizeof path)
         return status_fail(why, STATUS_FILE, "%.60s...: the path is too long", folder);
-    TRY(output_create(path, &out, why));
+    CALL(output_create(path, &out, why));
     write(j, out);
-    st = output_close(&out, why);
-out:
-    return st;
+    return output_close(&out, why);
 }
 
 /* Writes all files that the scene needs. */
 static enum status write_all(struct export_job *j, const char *folder, struct message *why)
 {
     const unsigned needs = scene_needs(&j->scene);
-    enum status st = STATUS_OK;
 
     for (int n = 0; n < FILES; n++)
         if ((!files[n].need || needs & files[n].need) &&
             (j->sheet.mesh || files[n].write != export_numbers_hinges))
-            TRY(write_file(j, files[n].name, files[n].write, folder, why));
+            CALL(write_file(j, files[n].name, files[n].write, folder, why));
     for (j->body = 0; j->body < j->scene.obstacle_count; j->body++) {
         char name[32];
         snprintf(name, sizeof name, MESH_FILE, j->body);
         if (j->scene.obstacles[j->body].kind == OBSTACLE_MESH)
-            TRY(write_file(j, name, export_mesh_body, folder, why));
+            CALL(write_file(j, name, export_mesh_body, folder, why));
     }
-out:
-    return st;
+    return STATUS_OK;
 }
 
 /* Has Python make scene.usda of the other files; without it these are all that there is. */
@@ -1583,15 +1573,13 @@ static enum status read_scene(struct export_job *j, const struct command_line *l
     int count;
     const char *const *given = command_values(line, "--set", &count);
     char *path;
-    enum status st;
 
     settings_set_all(&j->settings, count, given);
-    TRY(scene_file_find(line->words[0], &path, why));
+    CALL(scene_file_find(line->words[0], &path, why));
     count = j->settings.count;
-    TRY(truth_plan_scene(arena_keep(&j->arena, path), &j->settings, &j->scene, why));
+    CALL(truth_plan_scene(arena_keep(&j->arena, path), &j->settings, &j->scene, why));
     j->undamped = j->settings.count > count;
-out:
-    return st;
+    return STATUS_OK;
 }
 
 /* Checks the whole request before anything is written. */
@@ -1599,40 +1587,38 @@ static enum status prepare(struct export_job *j, const struct command_line *line
                            struct message *why)
 {
     const char *format = command_value(line, "--format");
-    enum status st;
 
     const struct discretization d = {.mesh = (char *)command_value(line, "--mesh")};
     if (command_given(line, "--points") == !!d.mesh)
-        TRY(status_fail(
+        return status_fail(
             why, STATUS_INPUT,
-            "export needs --points N,M, as in --points 21,21, or --mesh FILE.obj"));
+            "export needs --points N,M, as in --points 21,21, or --mesh FILE.obj");
     if (!command_given(line, "--out"))
-        TRY(status_fail(why, STATUS_INPUT, "export needs --out FOLDER, a new one"));
+        return status_fail(why, STATUS_INPUT, "export needs --out FOLDER, a new one");
     if (!d.mesh)
-        TRY(command_pair(line, "--points", 2, EXPORT_SHEET_MOST, j->sheet.points, why));
+        CALL(command_pair(line, "--points", 2, EXPORT_SHEET_MOST, j->sheet.points, why));
     if (format && strcmp(format, "obj") && strcmp(format, "ply") && strcmp(format, "csv"))
-        TRY(status_fail(why, STATUS_INPUT, "--format %s: obj, ply or csv would be right",
-                        format));
-    TRY(read_scene(j, line, why));
+        return status_fail(why, STATUS_INPUT, "--format %s: obj, ply or csv would be right",
+                           format);
+    CALL(read_scene(j, line, why));
     if (scene_needs(&j->scene) & SCENE_NEED_OWN_MATERIALS)
-        TRY(status_fail(why, STATUS_UNSUPPORTED,
-                        "%s has sheets with materials of their own, but export writes one "
-                        "material",
-                        j->scene.name));
+        return status_fail(
+            why, STATUS_UNSUPPORTED,
+            "%s has sheets with materials of their own, but export writes one "
+            "material",
+            j->scene.name);
     j->sheet.scene = &j->scene;
     if (d.mesh && (scene_sheets(&j->scene) > 1 || j->scene.shape != SCENE_FLAT))
-        TRY(status_fail(why, STATUS_UNSUPPORTED, "--mesh: of one flat sheet only"));
+        return status_fail(why, STATUS_UNSUPPORTED, "--mesh: of one flat sheet only");
     if (d.mesh) {
-        TRY(mesh_make(&j->mesh, &j->scene, &d, MESH_NO_NODES, why));
+        CALL(mesh_make(&j->mesh, &j->scene, &d, MESH_NO_NODES, why));
         j->sheet.mesh = &j->mesh;
         const struct law law = scene_law(&j->scene);
         j->hinge = arena_take(&j->arena, (size_t)j->mesh.edges, sizeof *j->hinge);
-        TRY(hinge_mesh_factors(&j->mesh, law.matrix[LAW_BENDING], j->hinge));
+        CALL(hinge_mesh_factors(&j->mesh, law.matrix[LAW_BENDING], j->hinge));
     }
-    TRY(export_held_find(&j->arena, &j->sheet, &j->held, why));
-    TRY(truth_judged(&j->scene, &j->known, why));
-out:
-    return st;
+    CALL(export_held_find(&j->arena, &j->sheet, &j->held, why));
+    return truth_judged(&j->scene, &j->known, why);
 }
 
 static enum status run(struct command_line *line, struct message *why)

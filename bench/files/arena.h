@@ -9,6 +9,8 @@
 #include <stdarg.h>
 #include <stddef.h>
 
+#include "bench/files/scope.h"
+
 struct arena {
     struct arena_block *last; /*                                                    owned */
 };

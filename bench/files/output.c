@@ -16,20 +16,17 @@ struct output {
 
 enum status output_create(const char *path, struct output **out, struct message *why)
 {
-    enum status st = STATUS_OK;
-    struct output *o = calloc(1, sizeof *o);
+    struct output *o SCOPED(output_discard_scope) = calloc(1, sizeof *o);
 
     if (!o)
         return STATUS_MEMORY;
-    TRY(atomic_file_open(path, &o->target, why));
+    CALL(atomic_file_open(path, &o->target, why));
     o->file = fopen(o->target.temporary, "w");
     if (!o->file)
-        TRY(status_fail(why, STATUS_FILE, "%s: cannot be opened: %s", path,
-                        strerror(errno)));
+        return status_fail(why, STATUS_FILE, "%s: cannot be opened: %s", path,
+                           strerror(errno));
     *out = o, o = NULL;
-out:
-    output_discard(o);
-    return st;
+    return STATUS_OK;
 }
 
 enum status output_create_in(const char *folder, const char *name, struct output **out,
@@ -90,20 +87,16 @@ static bool close_checked(FILE *file, int *reason)
 
 enum status output_close(struct output **created, struct message *why)
 {
-    enum status st = STATUS_OK;
-    struct output *out = *created;
+    struct output *out SCOPED(output_discard_scope) = *created;
     FILE *file = out->file;
     int reason;
 
     *created = NULL;
     out->file = NULL;
     if (!close_checked(file, &reason))
-        TRY(status_fail(why, STATUS_FILE, "%s: cannot be written: %s", out->target.path,
-                        strerror(reason ? reason : EIO)));
-    TRY(atomic_file_commit(&out->target, why));
-out:
-    output_discard(out);
-    return st;
+        return status_fail(why, STATUS_FILE, "%s: cannot be written: %s", out->target.path,
+                           strerror(reason ? reason : EIO));
+    return atomic_file_commit(&out->target, why);
 }
 
 void output_discard(struct output *out)

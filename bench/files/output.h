@@ -5,6 +5,7 @@
 
 #include <stdio.h>
 
+#include "bench/files/scope.h"
 #include "models/status.h"
 
 struct output;
@@ -36,6 +37,7 @@ enum status output_close(struct output **out, struct message *why);
 
 /* Gives the file up: nothing of it is left. NULL is allowed. */
 void output_discard(struct output *out);
+SCOPE_OF(output_discard, struct output)
 
 /* Makes a reader who goes away (`clothbench ... | head`) and a file that grows past the
  * user's limit (ulimit -f) failed writes with a sentence, instead of a silent end. Call

@@ -216,9 +216,8 @@ enum status store_try(const char *path, struct message *why)
 enum status store_create(const char *path, const struct store_run *run,
                          struct store **store, struct message *why)
 {
-    enum status st = STATUS_OK;
     struct arena arena = {0};
-    struct store *s = arena_take(&arena, 1, sizeof *s);
+    struct store *s SCOPED(store_discard_scope) = arena_take(&arena, 1, sizeof *s);
 
     hdf5_file_start();
     s->arena = arena;
@@ -226,22 +225,20 @@ enum status store_create(const char *path, const struct store_run *run,
     s->sheets = scene_sheets(run->scene);
     s->single = run->single;
     s->packed = run->packed;
-    TRY(atomic_file_open(path, &s->target, why));
+    CALL(atomic_file_open(path, &s->target, why));
     if (s->target.in_place)
-        TRY(status_fail(why, STATUS_FILE, "%s: a result file cannot be a device or pipe",
-                        path));
+        return status_fail(why, STATUS_FILE, "%s: a result file cannot be a device or pipe",
+                           path);
     hid_t create = H5Pcreate(H5P_FILE_CREATE);
     H5Pset_userblock(create, SEAL_BLOCK);
     s->file = H5Fcreate(s->target.temporary, H5F_ACC_TRUNC, create, H5P_DEFAULT);
     H5Pclose(create);
-    TRY(written(s, s->file >= 0, why));
-    TRY(put_run(s, run, why));
-    TRY(put_provenance(s, why));
-    TRY(create_xyz(s, why));
+    CALL(written(s, s->file >= 0, why));
+    CALL(put_run(s, run, why));
+    CALL(put_provenance(s, why));
+    CALL(create_xyz(s, why));
     *store = s, s = NULL;
-out:
-    store_discard(s);
-    return st;
+    return STATUS_OK;
 }
 
 static bool write_field(struct store *s, const double *xyz)
@@ -276,21 +273,19 @@ enum status store_frame(struct store *s, double t, const double *xyz,
         (double)c->tested,
         (double)c->missed,
     };
-    enum status st = STATUS_OK;
 
     for (int i = 0; i < SERIES; i++)
         s->series[i] =
             arena_more(&s->arena, s->series[i], (size_t)s->frames, sizeof *s->series[i]);
     s->missed = c->missed > 0;
     if (xyz) {
-        TRY(written(s, write_field(s, xyz), why));
+        CALL(written(s, write_field(s, xyz), why));
         s->series[0][s->fields++] = t;
     }
     for (int i = 1; i < SERIES; i++)
         s->series[i][s->frames] = value[i];
     s->frames++;
-out:
-    return st;
+    return STATUS_OK;
 }
 
 enum status store_seconds(struct store *s, const char *phase, const double *seconds,
@@ -390,24 +385,21 @@ static enum status put_views(struct store *s, struct message *why)
 
 static enum status put_end(struct store *s, struct message *why)
 {
-    enum status st = STATUS_OK;
-
     for (int i = 0; i < SERIES; i++) {
         const struct hdf5_file_meaning meaning = {series[i].unit,
                                                   i ? "frame" : "frame of xyz"};
-        TRY(written(s,
-                    hdf5_file_put_array(s->file, series[i].name, meaning, s->series[i],
-                                        i ? s->frames : s->fields, 0) >= 0,
-                    why));
+        CALL(written(s,
+                     hdf5_file_put_array(s->file, series[i].name, meaning, s->series[i],
+                                         i ? s->frames : s->fields, 0) >= 0,
+                     why));
     }
-    TRY(put_views(s, why));
-    TRY(store_text(s, "outcome",
-                   s->missed && !s->outcome ? STORE_NOT_ARRIVED : status_text(s->outcome),
-                   why));
+    CALL(put_views(s, why));
+    CALL(store_text(s, "outcome",
+                    s->missed && !s->outcome ? STORE_NOT_ARRIVED : status_text(s->outcome),
+                    why));
     if (status_is_death(s->outcome))
-        TRY(store_number(s, "death_time", s->death_time, why));
-out:
-    return st;
+        CALL(store_number(s, "death_time", s->death_time, why));
+    return STATUS_OK;
 }
 
 /* Closes the file, flushed first: if that fails, discard can still use the identifiers. */
@@ -505,24 +497,22 @@ static bool open_xyz(struct store_read *f)
 
 enum status store_read_open(const char *path, struct store_read **file, struct message *why)
 {
-    enum status st = STATUS_OK;
     struct arena arena = {0};
-    struct store_read *f = arena_take(&arena, 1, sizeof *f);
+    struct store_read *f SCOPED(store_read_close_scope) = arena_take(&arena, 1, sizeof *f);
 
     hdf5_file_start();
     f->file = f->xyz = H5I_INVALID_HID;
     f->path = arena_print(&arena, "%s", path);
     f->arena = arena;
-    TRY(seal_check(path, &f->size, why));
+    CALL(seal_check(path, &f->size, why));
     f->file = hdf5_file_open(path, why);
-    TRY(f->file < 0 ? STATUS_FILE : STATUS_OK);
+    CALL(f->file < 0 ? STATUS_FILE : STATUS_OK);
     if (!open_xyz(f))
-        TRY(status_fail(why, STATUS_INPUT,
-                        "%s: is not a result file (no xyz [frame][2][100][100][3])", path));
+        return status_fail(why, STATUS_INPUT,
+                           "%s: is not a result file (no xyz [frame][2][100][100][3])",
+                           path);
     *file = f, f = NULL;
-out:
-    store_read_close(f);
-    return st;
+    return STATUS_OK;
 }
 
 void store_read_close(struct store_read *f)
@@ -645,13 +635,10 @@ enum status store_scene(struct store_read *file, const char *path, struct scene 
     const char *settings[MOST];
     struct discretization unused = {0};
     char *text, *lines;
-    enum status st;
 
     memset(scene, 0, sizeof *scene);
-    TRY(store_read_text(file, "/", "scene", &text, why));
+    CALL(store_read_text(file, "/", "scene", &text, why));
     lines = arena_print(&file->arena, "%s", text);
-    TRY(scene_file_parse(path, text, strlen(text), find_settings(lines, settings, MOST),
-                         settings, scene, &unused, why));
-out:
-    return st;
+    return scene_file_parse(path, text, strlen(text), find_settings(lines, settings, MOST),
+                            settings, scene, &unused, why);
 }

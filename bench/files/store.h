@@ -45,6 +45,7 @@
 
 #include <stdbool.h>
 
+#include "bench/files/scope.h"
 #include "models/model.h"
 
 #define STORE_NOT_ARRIVED "not_arrived" /* the outcome */
@@ -107,6 +108,7 @@ enum status store_close(struct store *store, struct message *why);
 
 /* Gives the run up: removes the temporary file. NULL is allowed. */
 void store_discard(struct store *store);
+SCOPE_OF(store_discard, struct store)
 
 /* A result file that is being read: tables, plots and scores are made from it. */
 struct store_read;
@@ -116,6 +118,7 @@ struct store_read;
 enum status store_read_open(const char *path, struct store_read **file,
                             struct message *why);
 void store_read_close(struct store_read *file); /* NULL is allowed */
+SCOPE_OF(store_read_close, struct store_read)
 
 /* Returns the number of frames with a field; their times are the array "xyz_time". */
 int store_read_frames(const struct store_read *file);

@@ -82,20 +82,16 @@ enum status xdmf_write(const char *result_path, int sheets, const double *time, 
 {
     const size_t length = strlen(result_path);
     const bool is_h5 = length > 3 && !strcmp(result_path + length - 3, ".h5");
-    struct arena own = {0};
+    struct arena own SCOPED(arena_clear) = {0};
     struct output *out = NULL;
-    enum status st;
 
     const char *name = arena_print(&own, "%.*s.xdmf", (int)length - 3 * is_h5, result_path);
-    TRY(output_create_in(NULL, name, &out, why));
+    CALL(output_create_in(NULL, name, &out, why));
     output_print(out, "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n<Domain>\n"
                       "<Grid Name=\"run\" GridType=\"Collection\" "
                       "CollectionType=\"Temporal\">\n");
     for (int frame = 0; frame < frames; frame++)
         print_frame(out, result_path, sheets, frame, time[frame]);
     output_print(out, "</Grid>\n</Domain>\n</Xdmf>\n");
-    st = output_close(&out, why);
-out:
-    arena_clear(&own);
-    return st;
+    return output_close(&out, why);
 }

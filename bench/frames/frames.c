@@ -114,7 +114,7 @@ static enum status list_files(struct frames *f, int count, const char *const *pa
     enum status st = STATUS_OK;
 
     if (count == 1 && folder_is(paths[0])) {
-        TRY(frames_folder_read(paths[0], &f->files, why));
+        CALL(frames_folder_read(paths[0], &f->files, why));
         frames_folder_keep(&f->files, frames_is_name);
         if (!f->files.count)
             st = status_fail(why, STATUS_INPUT,
@@ -126,7 +126,6 @@ static enum status list_files(struct frames *f, int count, const char *const *pa
     f->files.path = arena_take(&f->arena, (size_t)count, sizeof *f->files.path);
     for (int n = 0; n < count; n++)
         f->files.path[f->files.count++] = arena_print(&f->arena, "%s", paths[n]);
-out:
     return st;
 }
 
@@ -165,19 +164,18 @@ static enum status open_files(struct frames *f, struct message *why)
 static enum status take_rest(struct frames *f, struct message *why)
 {
     struct frames_mesh mesh;
-    enum status st;
 
-    TRY(frames_mesh_read(f->look.rest, &f->arena, &mesh, why));
+    CALL(frames_mesh_read(f->look.rest, &f->arena, &mesh, why));
     if (mesh.vertices != f->net.vertices)
-        TRY(status_fail(why, STATUS_INPUT, "%s: has %d vertices, %s %d; the same is right",
-                        f->look.rest, mesh.vertices, f->path, f->net.vertices));
+        return status_fail(why, STATUS_INPUT,
+                           "%s: has %d vertices, %s %d; the same is right", f->look.rest,
+                           mesh.vertices, f->path, f->net.vertices);
     if (!f->net.uv)
         f->net.uv = mesh.uv;
     f->net.rest = mesh.xyz;
     if (!f->net.triangles)
         f->net.triangles = mesh.triangles, f->net.triangle = mesh.triangle;
-out:
-    return st;
+    return STATUS_OK;
 }
 
 static enum status check_uv(const struct frames *f, struct message *why)
@@ -194,26 +192,24 @@ enum status frames_open(int count, const char *const *paths, const struct frames
                         struct frames **frames, struct message *why)
 {
     struct arena arena = {0};
-    struct frames *f = arena_take(&arena, 1, sizeof *f);
-    enum status st;
+    struct frames *f SCOPED(frames_close_scope) = arena_take(&arena, 1, sizeof *f);
 
     f->look = *look;
     f->path = arena_print(&arena, "%s", paths[0]);
     f->arena = arena;
-    TRY(list_files(f, count, paths, why));
-    TRY(open_files(f, why));
+    CALL(list_files(f, count, paths, why));
+    CALL(open_files(f, why));
     if (look->rest)
-        TRY(take_rest(f, why));
-    TRY(check_uv(f, why));
+        CALL(take_rest(f, why));
+    CALL(check_uv(f, why));
     if (!f->timed && !(look->dt > 0))
-        TRY(status_fail(why, STATUS_INPUT,
-                        "%s: has no times; --dt S, the seconds from frame to frame, would "
-                        "be right",
-                        f->path));
+        return status_fail(
+            why, STATUS_INPUT,
+            "%s: has no times; --dt S, the seconds from frame to frame, would "
+            "be right",
+            f->path);
     *frames = f, f = NULL;
-out:
-    frames_close(f);
-    return st;
+    return STATUS_OK;
 }
 
 void frames_close(struct frames *f)

@@ -60,6 +60,7 @@ enum {
 enum status frames_open(int count, const char *const *paths, const struct frames_look *look,
                         struct frames **frames, struct message *why);
 void frames_close(struct frames *f); /* NULL is allowed */
+SCOPE_OF(frames_close, struct frames)
 
 /* Returns the name of the file that the frames come from; of a sequence the first. */
 const char *frames_name(const struct frames *f);

@@ -153,9 +153,9 @@ static enum status begin_numpy(struct frames_array *a, const char *name,
     unsigned char start[12];
     char text[4097];
     unsigned long long size;
-    enum status st;
+    enum status st = STATUS_OK;
 
-    TRY(find_member(a, name, &size, why));
+    CALL(find_member(a, name, &size, why));
     if (!read_bytes(a, start, 10) || memcmp(start, "\x93NUMPY", 6) != 0 ||
         (start[6] > 1 && !read_bytes(a, start + 10, 2)))
         return status_fail(why, STATUS_INPUT, "%s: %s.npy: is no array of NumPy's", a->path,
@@ -177,7 +177,6 @@ static enum status begin_numpy(struct frames_array *a, const char *name,
             name);
     if (a->by_columns && a->rank > 1)
         st = turn_numpy(a, name, why);
-out:
     return st;
 }
 
@@ -215,14 +214,13 @@ static bool read_numpy(struct frames_array *a, size_t count, double *values)
 static enum status turn_numpy(struct frames_array *a, const char *name, struct message *why)
 {
     const size_t count = (size_t)count_of(a);
-    double *by_columns = malloc((count + 1) * sizeof *by_columns),
-           *by_rows = malloc((count + 1) * sizeof *by_rows);
-    enum status st = STATUS_OK;
+    double *by_rows SCOPED(scope_free) = malloc((count + 1) * sizeof *by_rows);
+    double *by_columns SCOPED(scope_free) = malloc((count + 1) * sizeof *by_columns);
 
-    TRY(by_columns && by_rows ? STATUS_OK : STATUS_MEMORY);
+    CALL(by_columns && by_rows ? STATUS_OK : STATUS_MEMORY);
     if (!read_numpy(a, count, by_columns))
-        TRY(status_fail(why, STATUS_INPUT, "%s: %s.npy: is cut off or damaged", a->path,
-                        name));
+        return status_fail(why, STATUS_INPUT, "%s: %s.npy: is cut off or damaged", a->path,
+                           name);
     for (size_t n = 0; n < count; n++) { /* n counts by rows, `at` by columns */
         size_t left = n, step = count, at = 0;
         for (int k = a->rank - 1; k >= 0; k--) {
@@ -233,10 +231,7 @@ static enum status turn_numpy(struct frames_array *a, const char *name, struct m
         by_rows[n] = by_columns[at];
     }
     a->all = by_rows, by_rows = NULL;
-out:
-    free(by_columns);
-    free(by_rows);
-    return st;
+    return STATUS_OK;
 }
 
 /* --- HDF5 --- */
@@ -284,25 +279,22 @@ enum status frames_array_open(const char *path, struct frames_array **file,
     const char *ending = strrchr(path, '.');
     const bool zip = ending && !strcmp(ending, ".npz"),
                bare = ending && !strcmp(ending, ".npy");
-    struct frames_array *a = calloc(1, sizeof *a);
-    enum status st;
+    struct frames_array *a SCOPED(frames_array_close_scope) = calloc(1, sizeof *a);
 
     if (!a)
         return STATUS_MEMORY;
     a->hdf5 = a->set = H5I_INVALID_HID;
     a->path = strdup(path);
-    TRY(a->path ? STATUS_OK : STATUS_MEMORY);
+    CALL(a->path ? STATUS_OK : STATUS_MEMORY);
     if (zip || bare) {
-        TRY(frames_file_open(path, &a->file, why));
-        TRY(zip ? open_zip(a, why) : STATUS_OK);
+        CALL(frames_file_open(path, &a->file, why));
+        CALL(zip ? open_zip(a, why) : STATUS_OK);
     } else {
         a->hdf5 = hdf5_file_open(path, why);
-        TRY(a->hdf5 < 0 ? STATUS_FILE : STATUS_OK);
+        CALL(a->hdf5 < 0 ? STATUS_FILE : STATUS_OK);
     }
     *file = a, a = NULL;
-out:
-    frames_array_close(a);
-    return st;
+    return STATUS_OK;
 }
 
 void frames_array_close(struct frames_array *a)
@@ -342,20 +334,18 @@ enum status frames_array_load(struct frames_array *a, const char *name, size_t r
 {
     const size_t count = rows * columns;
     unsigned long long size[RANK];
-    double *numbers = NULL;
-    enum status st;
+    double *numbers SCOPED(scope_free) = NULL;
 
-    TRY(frames_array_begin(a, name, size, why));
+    CALL(frames_array_begin(a, name, size, why));
     if (count_of(a) != count || (columns > 1 && size[a->rank - 1] != columns))
-        TRY(status_fail(why, STATUS_INPUT,
-                        "%s: %s: has %llu numbers; %zu, %zu rows of %zu, would be right",
-                        a->path, name, count_of(a), count, rows, columns));
+        return status_fail(why, STATUS_INPUT,
+                           "%s: %s: has %llu numbers; %zu, %zu rows of %zu, would be right",
+                           a->path, name, count_of(a), count, rows, columns);
     numbers = malloc(count * sizeof *numbers);
-    TRY(numbers ? STATUS_OK : STATUS_MEMORY);
+    CALL(numbers ? STATUS_OK : STATUS_MEMORY);
     if (!frames_array_read(a, count, numbers))
-        TRY(status_fail(why, STATUS_INPUT, "%s: %s: is cut off or damaged", a->path, name));
+        return status_fail(why, STATUS_INPUT, "%s: %s: is cut off or damaged", a->path,
+                           name);
     *values = numbers, numbers = NULL;
-out:
-    free(numbers);
-    return st;
+    return STATUS_OK;
 }

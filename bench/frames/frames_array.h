@@ -5,6 +5,7 @@
 
 #include <stddef.h>
 
+#include "bench/files/scope.h"
 #include "models/status.h"
 
 struct frames_array;
@@ -14,6 +15,7 @@ struct frames_array;
 enum status frames_array_open(const char *path, struct frames_array **file,
                               struct message *why);
 void frames_array_close(struct frames_array *file); /* NULL is allowed */
+SCOPE_OF(frames_array_close, struct frames_array)
 
 /* Begins to read an array; size[8] are its sizes, 0 behind the last. STATUS_UNSUPPORTED:
  * there is none of that name; STATUS_INPUT; with a sentence each. */

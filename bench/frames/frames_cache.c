@@ -43,36 +43,36 @@ static enum status open_cache(struct frames *f, struct message *why)
 {
     struct cache *c = f->state;
     unsigned char head[32];
-    enum status st;
+    enum status st = STATUS_OK;
 
-    TRY(frames_file_open(f->path, &c->file, why));
+    CALL(frames_file_open(f->path, &c->file, why));
     c->big = !frames_file_read(&c->file, head, 12) || memcmp(head, "POINTCACHE2", 12) != 0;
     if (c->big)
         frames_file_go(&c->file, 0, 1);
     if (!(c->big ? frames_file_read(&c->file, head, 8)
                  : frames_file_read(&c->file, head + 12, 20)))
-        TRY(status_fail(why, STATUS_INPUT, "%s: ends within its header", f->path));
+        return status_fail(why, STATUS_INPUT, "%s: ends within its header", f->path);
     const unsigned long points = frames_file_whole(head + (c->big ? 4 : 16), 4, c->big),
                         frames = frames_file_whole(head + (c->big ? 0 : 28), 4, c->big);
     const unsigned long long whole =
         (c->big ? 8 + 4 * (unsigned long long)frames : 32) + 12ULL * points * frames;
     if (points > FRAMES_MOST_VERTICES || frames < 1 || frames > FRAMES_MOST_TIMES ||
         (unsigned long long)c->file.size < whole)
-        TRY(status_fail(why, STATUS_INPUT,
-                        "%s: counts %lu frames of %lu points, and has %lld bytes; as many "
-                        "as it counts would be right",
-                        f->path, frames, points, c->file.size));
+        return status_fail(
+            why, STATUS_INPUT,
+            "%s: counts %lu frames of %lu points, and has %lld bytes; as many "
+            "as it counts would be right",
+            f->path, frames, points, c->file.size);
     if (!c->big)
         c->rate = frames_file_float(head + 24, 4, false);
     c->rate = c->rate > 0 && c->rate < 1 ? c->rate : 0;
     f->timed = c->big || c->rate > 0;
     f->count = (int)frames;
-    TRY(frames_room(f, (long)points, why));
+    CALL(frames_room(f, (long)points, why));
     c->bytes = arena_take(&f->arena, (size_t)points, 12);
     c->times = c->big ? arena_take(&f->arena, (size_t)frames, 4) : NULL;
     if (c->big && !frames_file_read(&c->file, c->times, 4 * (size_t)frames))
         st = status_fail(why, STATUS_INPUT, "%s: ends within its times", f->path);
-out:
     return st;
 }
 

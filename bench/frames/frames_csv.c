@@ -50,18 +50,15 @@ static void close_csv(void *state)
  * text, too). */
 static enum status next_line(struct csv *c, bool *more, struct message *why)
 {
-    enum status st;
-
     do {
-        TRY(frames_file_line(&c->file, more, why));
+        CALL(frames_file_line(&c->file, more, why));
         if (!*more)
             break;
     } while (strchr("#", c->file.text[strspn(c->file.text, " \t")]));
     c->semicolons = c->semicolons || (*more && !c->runs && strchr(c->file.text, ';'));
     for (char *p = c->file.text; *more && c->semicolons && *p; p++)
         *p = (char)(*p == ',' ? '.' : *p == ';' ? ',' : *p);
-out:
-    return st;
+    return STATUS_OK;
 }
 
 /* Reads one cell of the line as a number. */
@@ -165,25 +162,23 @@ static int compare_runs(const void *a, const void *b)
 static enum status find_runs(struct frames *f, struct csv *c, struct message *why)
 {
     bool more, named = false;
-    enum status st;
 
-    TRY(next_line(c, &more, why));
+    CALL(next_line(c, &more, why));
     if (more)
-        TRY(take_names(c, &named, why));
+        CALL(take_names(c, &named, why));
     if (named)
-        TRY(next_line(c, &more, why));
+        CALL(next_line(c, &more, why));
     while (more) {
-        TRY(take_time(c, why));
-        TRY(next_line(c, &more, why));
+        CALL(take_time(c, why));
+        CALL(next_line(c, &more, why));
     }
     if (!c->runs)
-        TRY(status_fail(why, STATUS_INPUT,
-                        "%s: has no rows; lines t,u,v,x,y,z would be right", f->path));
+        return status_fail(why, STATUS_INPUT,
+                           "%s: has no rows; lines t,u,v,x,y,z would be right", f->path);
     qsort(c->run, (size_t)c->runs, sizeof *c->run, compare_runs);
     for (int n = 0; n < c->runs; n++)
         f->count += n == 0 || c->run[n].t != c->run[n - 1].t;
-out:
-    return st;
+    return STATUS_OK;
 }
 
 static struct key key_of(double u, double v, int vertex)
@@ -255,70 +250,61 @@ static enum status take_frame(struct frames *f, const struct run *run, bool net,
     struct csv *c = f->state;
     const double t = run->t;
     bool more;
-    enum status st = STATUS_OK;
 
     *count = 0;
     for (; run < c->run + c->runs && run->t == t; run++) {
         frames_file_go(&c->file, run->at, run->line);
         for (long n = 0; n < run->rows; n++) {
-            TRY(next_line(c, &more, why));
-            TRY(more ? take_row(f, net, (*count)++, why) : bad_row(c, why));
+            CALL(next_line(c, &more, why));
+            CALL(more ? take_row(f, net, (*count)++, why) : bad_row(c, why));
         }
     }
-out:
-    return st;
+    return STATUS_OK;
 }
 
 static enum status next_csv(struct frames *f, double *t, struct message *why)
 {
     struct csv *c = f->state;
     long count;
-    enum status st;
 
     *t = c->run[c->taken].t;
     memset(c->seen, 0, (size_t)f->net.vertices);
-    TRY(take_frame(f, &c->run[c->taken], false, &count, why));
+    CALL(take_frame(f, &c->run[c->taken], false, &count, why));
     if (count != f->net.vertices)
-        TRY(status_fail(why, STATUS_INPUT,
-                        "%s: line %ld: frame %d (t = %g s) has %ld vertices, the first "
-                        "frame %d; the same would be right",
-                        f->path, c->file.line, f->number, *t, count, f->net.vertices));
+        return status_fail(why, STATUS_INPUT,
+                           "%s: line %ld: frame %d (t = %g s) has %ld vertices, the first "
+                           "frame %d; the same would be right",
+                           f->path, c->file.line, f->number, *t, count, f->net.vertices);
     while (c->taken < c->runs && c->run[c->taken].t == *t)
         c->taken++;
-out:
-    return st;
+    return STATUS_OK;
 }
 
 /* Takes the vertices from the first frame, in its order. */
 static enum status take_net(struct frames *f, struct csv *c, struct message *why)
 {
     long count = 0;
-    enum status st;
 
     for (int n = 0; n < c->runs && c->run[n].t == c->run->t; n++)
         count += c->run[n].rows;
-    TRY(frames_room(f, count, why));
+    CALL(frames_room(f, count, why));
     f->net.uv = arena_take(c->arena, (size_t)count, 2 * sizeof *f->net.uv);
     c->key = arena_take(c->arena, (size_t)count, sizeof *c->key);
     c->seen = arena_take(c->arena, (size_t)count, 1);
-    TRY(take_frame(f, c->run, true, &count, why));
+    CALL(take_frame(f, c->run, true, &count, why));
     qsort(c->key, (size_t)count, sizeof *c->key, compare_keys);
-out:
-    return st;
+    return STATUS_OK;
 }
 
 static enum status open_csv(struct frames *f, struct message *why)
 {
     struct csv *c = f->state;
-    enum status st;
 
     f->timed = true;
     c->arena = &f->arena;
-    TRY(frames_file_open(f->path, &c->file, why));
-    TRY(find_runs(f, c, why));
-    TRY(take_net(f, c, why));
-out:
-    return st;
+    CALL(frames_file_open(f->path, &c->file, why));
+    CALL(find_runs(f, c, why));
+    return take_net(f, c, why);
 }
 
 const struct frames_reader frames_csv = {sizeof(struct csv), open_csv, next_csv, close_csv};

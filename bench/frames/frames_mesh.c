@@ -22,17 +22,15 @@ enum status frames_mesh_read(const char *path, struct arena *arena,
 {
     const char *ending = strrchr(path, '.');
     const bool ply = ending && !strcmp(ending, ".ply");
-    enum status st;
 
     *mesh = (struct frames_mesh){.arena = arena};
     if (!ply && !(ending && !strcmp(ending, ".obj")))
-        TRY(status_fail(why, STATUS_INPUT, "%s: is no mesh; an .obj or .ply would be right",
-                        path));
-    TRY((ply ? frames_mesh_ply : frames_mesh_obj)(path, mesh, why));
+        return status_fail(why, STATUS_INPUT,
+                           "%s: is no mesh; an .obj or .ply would be right", path);
+    CALL((ply ? frames_mesh_ply : frames_mesh_obj)(path, mesh, why));
     if (!mesh->vertices)
-        TRY(status_fail(why, STATUS_INPUT, "%s: has no vertices", path));
-out:
-    return st;
+        return status_fail(why, STATUS_INPUT, "%s: has no vertices", path);
+    return STATUS_OK;
 }
 
 /* A sequence; its first frame's faces are the net's, unless it has none and --rest does. */
@@ -64,17 +62,14 @@ static enum status check_same(const struct frames *f, const struct frames_mesh *
 
 static enum status next_mesh(struct frames *f, double *t, struct message *why)
 {
-    struct arena arena = {0};
+    struct arena arena SCOPED(arena_clear) = {0};
     struct frames_mesh mesh;
-    enum status st;
 
     (void)t;
-    TRY(frames_mesh_read(f->files.path[f->number - 1], &arena, &mesh, why));
-    TRY(check_same(f, &mesh, why));
+    CALL(frames_mesh_read(f->files.path[f->number - 1], &arena, &mesh, why));
+    CALL(check_same(f, &mesh, why));
     memcpy(f->xyz, mesh.xyz, (size_t)mesh.vertices * 3 * sizeof *f->xyz);
-out:
-    arena_clear(&arena);
-    return st;
+    return STATUS_OK;
 }
 
 /* Finds the last number in a file's name, and where it begins. */
@@ -124,17 +119,14 @@ static enum status open_sequence(struct frames *f, struct message *why)
 {
     struct sequence *s = f->state;
     struct frames_mesh mesh;
-    enum status st;
 
     f->count = f->files.count;
-    TRY(check_numbers(f, why));
-    TRY(frames_mesh_read(f->files.path[0], &f->arena, &mesh, why));
+    CALL(check_numbers(f, why));
+    CALL(frames_mesh_read(f->files.path[0], &f->arena, &mesh, why));
     s->triangles = f->net.triangles = mesh.triangles;
     f->net.uv = mesh.uv;
     f->net.triangle = mesh.triangle;
-    st = frames_room(f, mesh.vertices, why);
-out:
-    return st;
+    return frames_room(f, mesh.vertices, why);
 }
 
 const struct frames_reader frames_sequence = {sizeof(struct sequence), open_sequence,

@@ -28,10 +28,9 @@ static enum status take_uv(const struct obj_file *o, const char *path,
 
 enum status frames_mesh_obj(const char *path, struct frames_mesh *mesh, struct message *why)
 {
-    struct obj_file o;
-    enum status st;
+    struct obj_file o SCOPED(obj_file_clear) = {0};
 
-    TRY(obj_file_read(path, &o, why));
+    CALL(obj_file_read(path, &o, why));
     mesh->vertices = o.vertices;
     mesh->triangles = o.corners / 3;
     mesh->xyz = arena_take(mesh->arena, (size_t)o.vertices, 3 * sizeof *mesh->xyz);
@@ -46,13 +45,11 @@ enum status frames_mesh_obj(const char *path, struct frames_mesh *mesh, struct m
         for (int i = 0; i < 2; i++)
             mesh->uv[2 * n + i] = paired ? NAN : o.texture[n][i];
     }
-    TRY(take_uv(&o, path, mesh, why));
+    CALL(take_uv(&o, path, mesh, why));
     for (int n = 0; n < o.corners; n++)
         mesh->triangle[n / 3][n % 3] = o.corner[n].v;
     for (int n = 0; mesh->uv && n < 2 * o.vertices; n++)
         if (isnan(mesh->uv[n])) /* a vertex of no face */
             mesh->uv = NULL;
-out:
-    obj_file_clear(&o);
-    return st;
+    return STATUS_OK;
 }

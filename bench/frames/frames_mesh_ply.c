@@ -109,11 +109,10 @@ static enum status take_element(struct ply *p, struct message *why)
 static enum status take_header(struct ply *p, struct message *why)
 {
     bool more, known = false;
-    enum status st;
 
     for (;;) {
         char word[WORD] = "", format[WORD] = "";
-        TRY(frames_file_line(p->file, &more, why));
+        CALL(frames_file_line(p->file, &more, why));
         if (!more)
             return bad(p, "ends before end_header", why);
         sscanf(p->file->text, "%255s %255s", word, format);
@@ -126,13 +125,12 @@ static enum status take_header(struct ply *p, struct message *why)
             p->big = !strcmp(format, "binary_big_endian");
             known = p->ascii || p->big || !strcmp(format, "binary_little_endian");
         } else if (!strcmp(word, "element")) {
-            TRY(take_element(p, why));
+            CALL(take_element(p, why));
         } else if (!strcmp(word, "property")) {
-            TRY(take_property(p, why));
+            CALL(take_property(p, why));
         }
     }
-out:
-    return st;
+    return STATUS_OK;
 }
 
 /* Reads the next number, from text or bytes; `what` goes into the sentence where there is
@@ -142,13 +140,12 @@ static enum status take_number(struct ply *p, int size, bool is_float, double *x
 {
     unsigned char bytes[8];
     bool more = true;
-    enum status st = STATUS_OK;
 
     if (p->ascii) {
         while (more && !frames_file_number(&p->at, x)) {
             more = p->at[strspn(p->at, " \t\r")] == '\0';
             if (more)
-                TRY(frames_file_line(p->file, &more, why));
+                CALL(frames_file_line(p->file, &more, why));
             p->at = p->file->text;
         }
         return more ? STATUS_OK : bad(p, what, why);
@@ -157,8 +154,7 @@ static enum status take_number(struct ply *p, int size, bool is_float, double *x
         return bad(p, what, why);
     *x = is_float ? frames_file_float(bytes, size, p->big)
                   : (double)frames_file_whole(bytes, size, p->big);
-out:
-    return st;
+    return STATUS_OK;
 }
 
 static enum status take_list(struct ply *p, const struct property *q, struct message *why)
@@ -167,15 +163,14 @@ static enum status take_list(struct ply *p, const struct property *q, struct mes
     const bool face = q->use == USE_FACE;
     long vertex[CORNERS];
     double count, x;
-    enum status st;
 
-    TRY(take_number(p, q->count_size, false, &count, ends, why));
+    CALL(take_number(p, q->count_size, false, &count, ends, why));
     if (count < 0)
         return bad(p, ends, why);
     if (face && (count < 3 || count > CORNERS))
         return bad(p, "is a face of fewer than 3 or more than 64 vertices", why);
     for (long n = 0; n < count; n++) {
-        TRY(take_number(p, q->size, q->is_float, &x, ends, why));
+        CALL(take_number(p, q->size, q->is_float, &x, ends, why));
         if (!face)
             continue;
         if (!(x >= 0 && x < p->mesh->vertices))
@@ -184,8 +179,7 @@ static enum status take_list(struct ply *p, const struct property *q, struct mes
     }
     if (face)
         frames_mesh_face(p->mesh, (int)count, vertex);
-out:
-    return st;
+    return STATUS_OK;
 }
 
 static void put(struct frames_mesh *m, long row, enum use use, double x)
@@ -198,23 +192,21 @@ static void put(struct frames_mesh *m, long row, enum use use, double x)
 
 static enum status take_rows(struct ply *p, const struct element *e, struct message *why)
 {
-    enum status st = STATUS_OK;
     double x;
 
     for (long row = 0; row < e->count; row++)
         for (int n = 0; n < e->properties; n++) {
             const struct property *q = &e->property[n];
             if (q->count_size) {
-                TRY(take_list(p, q, why));
+                CALL(take_list(p, q, why));
                 continue;
             }
-            TRY(take_number(p, q->size, q->is_float, &x,
-                            "ends within its rows: fewer than its header counts", why));
+            CALL(take_number(p, q->size, q->is_float, &x,
+                             "ends within its rows: fewer than its header counts", why));
             if (e->vertices)
                 put(p->mesh, row, q->use, x);
         }
-out:
-    return st;
+    return STATUS_OK;
 }
 
 static enum status make_room(struct ply *p, const struct element *e, struct message *why)
@@ -238,18 +230,15 @@ static enum status make_room(struct ply *p, const struct element *e, struct mess
 
 enum status frames_mesh_ply(const char *path, struct frames_mesh *mesh, struct message *why)
 {
-    struct frames_file file;
+    struct frames_file file SCOPED(frames_file_close) = {0};
     struct ply p = {.file = &file, .at = "", .mesh = mesh};
-    enum status st;
 
-    TRY(frames_file_open(path, &file, why));
-    TRY(take_header(&p, why));
+    CALL(frames_file_open(path, &file, why));
+    CALL(take_header(&p, why));
     for (int n = 0; n < p.elements; n++) {
         if (p.element[n].vertices)
-            TRY(make_room(&p, &p.element[n], why));
-        TRY(take_rows(&p, &p.element[n], why));
+            CALL(make_room(&p, &p.element[n], why));
+        CALL(take_rows(&p, &p.element[n], why));
     }
-out:
-    frames_file_close(&file);
-    return st;
+    return STATUS_OK;
 }

@@ -35,7 +35,7 @@ static enum status next_moving(struct frames *f, double *t, struct message *why)
     if (m->t)
         *t = m->t[f->number - 1];
     if (m->own) {
-        TRY(store_read_frame(m->own, f->number - 1, m->field, why));
+        CALL(store_read_frame(m->own, f->number - 1, m->field, why));
         for (int n = 0; n < count; n++)
             f->xyz[n] = .5 * (m->field[n] + m->field[count + n]);
     } else if (!frames_array_read(m->file, (size_t)count, f->xyz)) {
@@ -44,7 +44,6 @@ static enum status next_moving(struct frames *f, double *t, struct message *why)
                          "be right",
                          f->path, f->number, f->count);
     }
-out:
     return st;
 }
 
@@ -138,17 +137,15 @@ static enum status open_arrays(struct frames *f, struct message *why)
 {
     struct moving *m = f->state;
     long vertices;
-    enum status st;
 
-    TRY(frames_array_open(f->path, &m->file, why));
-    TRY(begin_xyz(f, m->file, &vertices, why));
-    TRY(frames_room(f, vertices, why));
-    TRY(take_small(f, "uv", f->net.vertices, 2, &f->net.uv, why));
-    TRY(take_small(f, "t", f->count, 1, &m->t, why));
-    TRY(take_faces(f, m->file, why));
-    TRY(begin_xyz(f, m->file, &vertices, why)); /* from the start again */
-out:
-    return st;
+    CALL(frames_array_open(f->path, &m->file, why));
+    CALL(begin_xyz(f, m->file, &vertices, why));
+    CALL(frames_room(f, vertices, why));
+    CALL(take_small(f, "uv", f->net.vertices, 2, &f->net.uv, why));
+    CALL(take_small(f, "t", f->count, 1, &m->t, why));
+    CALL(take_faces(f, m->file, why));
+    CALL(begin_xyz(f, m->file, &vertices, why)); /* from the start again */
+    return STATUS_OK;
 }
 
 /* Reads the points of the net that a result file is of, and whether it is linear between
@@ -158,17 +155,15 @@ static enum status read_points(struct frames *f, struct store_read *own,
 {
     static const char key[] = "discretization.points=[";
     char *text;
-    enum status st;
 
-    TRY(store_read_text(own, "/", "discretization", &text, why));
+    CALL(store_read_text(own, "/", "discretization", &text, why));
     const char *at = strstr(text, key), *mesh = strstr(text, "discretization.mesh=");
     if (!at || sscanf(at + strlen(key), "%d,%d", &f->net.points[0], &f->net.points[1]) != 2)
         f->net.points[0] = f->net.points[1] = 0;
     f->net.linear = f->net.points[0] > 1 && f->net.points[1] > 1 &&
                     strstr(text, "discretization.degree=[1,1,") &&
                     (!mesh || strstr(mesh, "=grid\n") == strchr(mesh, '='));
-out:
-    return st;
+    return STATUS_OK;
 }
 
 static enum status open_own(struct frames *f, struct message *why)
@@ -176,18 +171,17 @@ static enum status open_own(struct frames *f, struct message *why)
     struct moving *m = f->state;
     int rows, columns;
     char *scene;
-    enum status st;
 
-    TRY(store_read_open(f->path, &m->own, why));
+    CALL(store_read_open(f->path, &m->own, why));
     f->count = store_read_frames(m->own);
-    TRY(store_read_array(m->own, "xyz_time", &m->t, &rows, &columns, why));
+    CALL(store_read_array(m->own, "xyz_time", &m->t, &rows, &columns, why));
     if (rows != f->count || columns != 1)
-        TRY(status_fail(why, STATUS_INPUT, "%s: xyz_time: has %d times of %d frames",
-                        f->path, rows, f->count));
-    TRY(store_read_text(m->own, "/", "scene_name", &scene, why));
+        return status_fail(why, STATUS_INPUT, "%s: xyz_time: has %d times of %d frames",
+                           f->path, rows, f->count);
+    CALL(store_read_text(m->own, "/", "scene_name", &scene, why));
     f->scene = scene;
-    TRY(read_points(f, m->own, why));
-    TRY(frames_room(f, GRID_U * GRID_V, why));
+    CALL(read_points(f, m->own, why));
+    CALL(frames_room(f, GRID_U * GRID_V, why));
     m->field = arena_take(&f->arena, 3 * GRID_POINTS, sizeof *m->field);
     f->net.uv = arena_take(&f->arena, 2 * GRID_U * GRID_V, sizeof *f->net.uv);
     for (int n = 0; n < GRID_U * GRID_V; n++) {
@@ -195,8 +189,7 @@ static enum status open_own(struct frames *f, struct message *why)
         grid_point(n, uvw);
         memcpy(f->net.uv + 2 * n, uvw, 2 * sizeof *uvw);
     }
-out:
-    return st;
+    return STATUS_OK;
 }
 
 /* Finds whether an HDF5 file is the program's own, which is sealed: any other begins with
@@ -204,15 +197,12 @@ out:
 static enum status find_own(const char *path, bool *own, struct message *why)
 {
     static const char signature[] = "\x89HDF\r\n\x1a\n";
-    struct frames_file file;
+    struct frames_file file SCOPED(frames_file_close) = {0};
     char head[8];
-    enum status st;
 
-    TRY(frames_file_open(path, &file, why));
+    CALL(frames_file_open(path, &file, why));
     *own = !frames_file_read(&file, head, 8) || memcmp(head, signature, 8) != 0;
-    frames_file_close(&file);
-out:
-    return st;
+    return STATUS_OK;
 }
 
 static enum status open_moving(struct frames *f, struct message *why)
@@ -220,15 +210,13 @@ static enum status open_moving(struct frames *f, struct message *why)
     const struct moving *m = f->state;
     const bool hdf5 = !strncmp(strrchr(f->path, '.'), ".h", 2);
     bool own = false;
-    enum status st = STATUS_OK;
 
     hdf5_file_start();
     if (hdf5)
-        TRY(find_own(f->path, &own, why));
-    TRY(own ? open_own(f, why) : open_arrays(f, why));
+        CALL(find_own(f->path, &own, why));
+    CALL(own ? open_own(f, why) : open_arrays(f, why));
     f->timed = m->t;
-out:
-    return st;
+    return STATUS_OK;
 }
 
 const struct frames_reader frames_moving = {sizeof(struct moving), open_moving, next_moving,

@@ -186,9 +186,8 @@ enum status contestant_read_settings(const struct settings *s, const char *path,
 enum status contestant_read_scene(const struct settings *s, const char *path,
                                   struct scene *scene, struct message *why)
 {
-    struct discretization unused = {0};
+    struct discretization unused SCOPED(discretization_clear) = {0};
     const enum status st = contestant_read_settings(s, path, scene, &unused, why);
 
-    discretization_clear(&unused);
     return st;
 }

@@ -263,7 +263,7 @@ void distrust_fields(const struct scene *scene, int count, const double *time,
                      double *const *xyz, struct message *sentence)
 {
     const struct run run = {.scene = *scene}; /* borrowed */
-    struct looks looks;
+    struct looks looks SCOPED(looks_clear) = {0};
     double value[MEASURES];
 
     looks_init(&looks, count);
@@ -273,5 +273,4 @@ void distrust_fields(const struct scene *scene, int count, const double *time,
         looks_recount(&looks, scene, xyz[count - 1]);
     looks_reduce(&looks, scene, STATUS_OK, NAN, NULL, value);
     distrust(&run, value, sentence);
-    looks_clear(&looks);
 }

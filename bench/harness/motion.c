@@ -60,12 +60,11 @@ static enum status look(const struct motion *m)
 {
     if (looks_well(m))
         return STATUS_OK;
-    double *xyz = malloc(GRID_POINTS * 3 * sizeof *xyz);
+    double *xyz SCOPED(scope_free) = malloc(GRID_POINTS * 3 * sizeof *xyz);
     if (!xyz)
         return STATUS_MEMORY;
     model_sample(m->model, m->state, xyz);
     enum status st = metric_blowup(m->scene, m->steps * m->scene->step, xyz);
-    free(xyz);
     return st;
 }
 
@@ -87,27 +86,25 @@ static enum status advance(struct motion *m)
 enum status motion_run(struct motion *m, motion_watcher *watch, void *context, bool quiet,
                        struct message *why)
 {
-    enum status st = STATUS_OK;
-    struct progress progress = progress_start(m->model->name, m->frame_count, quiet);
+    struct progress progress SCOPED(progress_end) =
+        progress_start(m->model->name, m->frame_count, quiet);
 
     if (watch)
-        TRY(watch(context, m, why));
+        CALL(watch(context, m, why));
     while (m->frames < m->frame_count) {
         if (deadline_left(m->until) < 0)
-            TRY(status_fail(why, STATUS_LATE,
-                            "%s on %s was stopped at t = %.3g s, as the budget is over",
-                            m->model->name, m->scene->name, m->time));
-        TRY(advance(m));
+            return status_fail(why, STATUS_LATE,
+                               "%s on %s was stopped at t = %.3g s, as the budget is over",
+                               m->model->name, m->scene->name, m->time);
+        CALL(advance(m));
         if (m->death)
             break;
         m->time = ++m->frames * m->scene->step;
         if (watch)
-            TRY(watch(context, m, why));
+            CALL(watch(context, m, why));
         progress_update(&progress, m->frames);
     }
-out:
-    progress_end(&progress);
-    return st;
+    return STATUS_OK;
 }
 
 /* Tells whether a model has explicit steps of a length that serves: those of a body with

@@ -80,7 +80,6 @@ static enum status start_work(struct work *w, struct pool *pool)
 {
     const int ranks = pool->ranks ? pool->ranks->size : 1;
     long todo = 0;
-    enum status st = STATUS_OK;
 
     *w = (struct work){.pool = pool};
     for (long n = 0; n < pool->count; n++)
@@ -89,12 +88,11 @@ static enum status start_work(struct work *w, struct pool *pool)
     w->busy = arena_take(&w->arena, (size_t)ranks, sizeof *w->busy);
     for (int n = 0; n < pool->slots; n++) {
         w->slots[n].pool = pool;
-        TRY(child_init(&w->slots[n].child));
+        CALL(child_init(&w->slots[n].child));
     }
     pool->hands = pool->slots + ranks - 1;
     w->progress = progress_start("cases", todo, pool->quiet);
-out:
-    return st;
+    return STATUS_OK;
 }
 
 static void end_work(struct work *w)
@@ -119,7 +117,6 @@ static enum status settle(struct work *w, long job, const struct child_end *end,
                           struct message *why)
 {
     struct pool *p = w->pool;
-    enum status st = STATUS_OK;
 
     w->running--;
     if (end->outcome == CHILD_STUCK)
@@ -129,19 +126,17 @@ static enum status settle(struct work *w, long job, const struct child_end *end,
             stop_signal = SIGTERM;
         return STATUS_OK;
     }
-    TRY(p->settle(p->context, job, end, why));
+    CALL(p->settle(p->context, job, end, why));
     p->ran++;
     p->seconds += end->seconds;
     progress_update(&w->progress, p->ran);
-out:
-    return st;
+    return STATUS_OK;
 }
 
 /* Gives a job to every idle slot and rank. */
 static enum status hand_out(struct work *w, struct message *why)
 {
     const struct pool *p = w->pool;
-    enum status st = STATUS_OK;
     long job;
 
     for (int n = 0; n < p->hands; n++) {
@@ -152,21 +147,19 @@ static enum status hand_out(struct work *w, struct message *why)
             break;
         w->running++;
         if (rank < 1) {
-            TRY(start(&w->slots[n], job, why));
+            CALL(start(&w->slots[n], job, why));
             continue;
         }
         w->busy[rank] = true;
         p->ranks->send(rank, &(struct ranks_message){.kind = MESSAGE_JOB, .job = job});
     }
-out:
-    return st;
+    return STATUS_OK;
 }
 
 /* Settles the jobs that have ended; *some: there was one. */
 static enum status gather(struct work *w, bool *some, struct message *why)
 {
     const struct pool *p = w->pool;
-    enum status st = STATUS_OK;
     struct ranks_message message;
     struct child_end end;
     int from;
@@ -175,16 +168,15 @@ static enum status gather(struct work *w, bool *some, struct message *why)
     for (int n = 0; n < p->slots; n++)
         if (w->slots[n].child.pid && child_poll(&w->slots[n].child, &end)) {
             *some = true;
-            TRY(settle(w, w->slots[n].job, &end, why));
+            CALL(settle(w, w->slots[n].job, &end, why));
         }
     while (p->ranks && p->ranks->receive(&from, &message)) {
         assert(message.kind == MESSAGE_END);
         *some = true;
         w->busy[from] = false;
-        TRY(settle(w, message.job, &message.end, why));
+        CALL(settle(w, message.job, &message.end, why));
     }
-out:
-    return st;
+    return STATUS_OK;
 }
 
 enum status pool_run(struct pool *pool, struct message *why)

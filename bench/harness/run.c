@@ -8,9 +8,8 @@
 
 enum status run_read(struct run *r, const struct case_plan *c, struct message *why)
 {
-    struct settings all = {0};
-    char *path = NULL;
-    enum status st;
+    struct settings all SCOPED(settings_clear) = {0};
+    char *path SCOPED(scope_free) = NULL;
 
     memset(r, 0, sizeof *r);
     r->contestant = c->contestant;
@@ -18,15 +17,12 @@ enum status run_read(struct run *r, const struct case_plan *c, struct message *w
     model_open(r->model, &r->discretization);
     contestant_settings(c->contestant, &all);
     settings_append(&all, &c->settings);
-    TRY(scene_file_find(c->path, &path, why));
-    TRY(contestant_read_settings(&all, path, &r->scene, &r->discretization, why));
+    CALL(scene_file_find(c->path, &path, why));
+    CALL(contestant_read_settings(&all, path, &r->scene, &r->discretization, why));
     model_complete(r->model, &r->scene, &r->discretization, &r->adapted);
     if (c->end > 0)
         r->scene.end = c->end;
-out:
-    free(path);
-    settings_clear(&all);
-    return st;
+    return STATUS_OK;
 }
 
 enum status run_build(struct run *r, struct message *why)

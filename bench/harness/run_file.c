@@ -55,27 +55,24 @@ static enum status open_store(struct run_file *f, struct message *why)
                                    .model = run->model,
                                    .discretization = &run->discretization,
                                    .single = !f->keep->doubles};
-    enum status st;
 
     if (!f->keep->file)
         return STATUS_OK;
     if (f->keep->made_for) /* the program chose the name */
         atomic_file_claim(f->keep->file);
-    TRY(store_create(f->keep->file, &what, &f->store, why));
+    CALL(store_create(f->keep->file, &what, &f->store, why));
     if (f->keep->made_for)
-        TRY(store_text(f->store, "made_for", f->keep->made_for, why));
+        CALL(store_text(f->store, "made_for", f->keep->made_for, why));
     if (f->keep->quick)
-        TRY(store_text(f->store, "quick", "yes", why));
-out:
-    return st;
+        CALL(store_text(f->store, "quick", "yes", why));
+    return STATUS_OK;
 }
 
 enum status run_file_open(const struct run *run, const struct run_keep *keep,
                           struct run_file **file, struct message *why)
 {
     const long frames = lround(run->scene.end / run->scene.step);
-    struct run_file *f = calloc(1, sizeof *f);
-    enum status st;
+    struct run_file *f SCOPED(run_file_discard_scope) = calloc(1, sizeof *f);
 
     if (!f)
         arena_end();
@@ -88,11 +85,9 @@ enum status run_file_open(const struct run *run, const struct run_keep *keep,
     if (keep->truth)
         f->truth =
             arena_take(&f->arena, LOOKS_TRUTH * (size_t)f->looks.room, sizeof *f->truth);
-    TRY(open_store(f, why));
+    CALL(open_store(f, why));
     *file = f, f = NULL;
-out:
-    run_file_discard(f);
-    return st;
+    return STATUS_OK;
 }
 
 static void measure(struct run_file *f)
@@ -246,7 +241,7 @@ enum status run_file_end(struct run_file *f, struct message *why)
 static enum status store_warnings(const struct run_file *f, const struct run_result *r,
                                   struct message *why)
 {
-    char *text = NULL;
+    char *text SCOPED(scope_free) = NULL;
     size_t size = 0;
     FILE *file = open_memstream(&text, &size);
     enum status st = STATUS_MEMORY;
@@ -262,7 +257,6 @@ static enum status store_warnings(const struct run_file *f, const struct run_res
         fprintf(file, "%s\n", f->doubt.text);
     if (fclose(file) == 0)
         st = *text ? store_text(f->store, "warnings", text, why) : STATUS_OK;
-    free(text);
     return st;
 }
 
@@ -271,26 +265,23 @@ static enum status complete(struct run_file *f, const struct motion *m,
 {
     const struct run *run = f->run;
     struct store *store = f->store;
-    enum status st;
 
-    TRY(store_size(store, &f->size, why));
-    TRY(store_warnings(f, r, why));
+    CALL(store_size(store, &f->size, why));
+    CALL(store_warnings(f, r, why));
     if (*r->distrust.text)
-        TRY(store_text(store, "distrust", r->distrust.text, why));
-    TRY(store_series(f, why));
+        CALL(store_text(store, "distrust", r->distrust.text, why));
+    CALL(store_series(f, why));
     if (!f->created)
-        TRY(store_seconds(store, "create", &run->create_seconds, 1, 0, why));
+        CALL(store_seconds(store, "create", &run->create_seconds, 1, 0, why));
     if (!f->advanced && m && m->steps)
-        TRY(store_seconds(store, "advance", m->seconds, 1, m->steps, why));
-    TRY(store_seconds(store, "look", &f->seconds, 1, 0, why));
+        CALL(store_seconds(store, "advance", m->seconds, 1, m->steps, why));
+    CALL(store_seconds(store, "look", &f->seconds, 1, 0, why));
     if (f->refused)
-        TRY(store_text(store, "note", f->sentence.text, why));
+        CALL(store_text(store, "note", f->sentence.text, why));
     if (r->outcome)
         store_death(store, r->outcome, r->death_time);
     f->store = NULL; /* closing frees it, whatever comes of it */
-    st = store_close(store, why);
-out:
-    return st;
+    return store_close(store, why);
 }
 
 enum status run_file_close(struct run_file *f, const struct motion *m,
@@ -352,50 +343,42 @@ static enum status settle(struct run *run, struct run_file *f, struct message *w
 enum status run_file_follow(const struct case_plan *c, struct run *run, struct motion *m,
                             struct run_file **file, struct message *why)
 {
-    struct run_file *f = NULL;
+    struct run_file *f SCOPED(run_file_discard_scope) = NULL;
     struct message said = {""};
     const enum status built = run_build(run, &said);
-    enum status st;
 
-    TRY(run_file_open(run, &c->keep, &f, why));
+    CALL(run_file_open(run, &c->keep, &f, why));
     if (built) {
-        TRY(refuse(f, built, &said, why));
+        CALL(refuse(f, built, &said, why));
     } else if (c->rest) {
-        TRY(settle(run, f, why));
+        CALL(settle(run, f, why));
     } else {
         motion_init(m, run->model, &run->scene, run->state);
         m->until = c->until;
-        TRY(motion_run(m, run_file_watch, f, true, why));
+        CALL(motion_run(m, run_file_watch, f, true, why));
     }
     *file = f, f = NULL;
-out:
-    run_file_discard(f);
-    return st;
+    return STATUS_OK;
 }
 
 enum status run_file_make(const struct case_plan *c, struct run *run,
                           struct run_result *result, struct message *why)
 {
     struct run_file *f;
-    struct motion m = {0};
-    enum status st;
+    struct motion m SCOPED(motion_clear) = {0};
 
-    TRY(run_file_follow(c, run, &m, &f, why));
-    st = run_file_close(f, m.model ? &m : NULL, result, why);
-out:
-    motion_clear(&m);
-    return st;
+    CALL(run_file_follow(c, run, &m, &f, why));
+    return run_file_close(f, m.model ? &m : NULL, result, why);
 }
 
 enum status run_file_write(const struct case_plan *c, struct run_result *result,
                            struct message *why)
 {
-    struct run run;
+    struct run run SCOPED(run_close) = {0};
     enum status st = run_read(&run, c, why);
 
     if (st == STATUS_OK)
         st = run_file_make(c, &run, result, why);
-    run_close(&run);
     return st;
 }
 

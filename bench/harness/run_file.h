@@ -10,6 +10,7 @@
 #ifndef RUN_FILE_H
 #define RUN_FILE_H
 
+#include "bench/files/scope.h"
 #include "bench/harness/motion.h"
 #include "bench/harness/run.h"
 #include "bench/harness/run_result.h"
@@ -47,6 +48,7 @@ enum status run_file_bytes(struct run_file *file, double bytes, struct message *
 enum status run_file_close(struct run_file *file, const struct motion *m,
                            struct run_result *result, struct message *why);
 void run_file_discard(struct run_file *file); /* gives it up; NULL is allowed */
+SCOPE_OF(run_file_discard, struct run_file)
 
 /* Returns whether the model refused the run, or died before its first step. */
 bool run_file_refused(const struct run_file *file);

@@ -30,41 +30,37 @@ static enum status find_outcome(const char *text, const char *path, enum status 
 static enum status read_numbers(struct store_read *file, const char *path, const char *name,
                                 int count, int stride, double *value, struct message *why)
 {
-    enum status st;
     double *array;
     int rows, columns;
 
-    TRY(store_read_array(file, name, &array, &rows, &columns, why));
+    CALL(store_read_array(file, name, &array, &rows, &columns, why));
     if (rows != count || columns != 1)
-        TRY(status_fail(why, STATUS_INPUT, "%s: %s has %d numbers for %d looks", path, name,
-                        rows * columns, count));
+        return status_fail(why, STATUS_INPUT, "%s: %s has %d numbers for %d looks", path,
+                           name, rows * columns, count);
     for (int n = 0; n < count; n++)
         value[n * stride] = array[n];
-out:
-    return st;
+    return STATUS_OK;
 }
 
 static enum status read_looks(struct store_read *file, const char *path, struct looks *l,
                               struct message *why)
 {
-    enum status st;
     double *time;
     char name[64];
     int count, columns;
 
-    TRY(store_read_array(file, "time", &time, &count, &columns, why));
+    CALL(store_read_array(file, "time", &time, &count, &columns, why));
     looks_init(l, count);
     l->count = count;
-    TRY(read_numbers(file, path, "time", count, 1, l->time, why));
+    CALL(read_numbers(file, path, "time", count, 1, l->time, why));
     for (int n = 0; n < LOOKS_SERIES; n++) {
         snprintf(name, sizeof name, "metrics/%s", looks_series[n].name);
-        TRY(read_numbers(file, path, name, count, 1, l->series[n], why));
+        CALL(read_numbers(file, path, name, count, 1, l->series[n], why));
     }
-    TRY(read_numbers(file, path, "energy/kinetic", count, 3, &l->energy->kinetic, why));
-    TRY(read_numbers(file, path, "energy/elastic", count, 3, &l->energy->elastic, why));
-    TRY(read_numbers(file, path, "energy/potential", count, 3, &l->energy->potential, why));
-out:
-    return st;
+    CALL(read_numbers(file, path, "energy/kinetic", count, 3, &l->energy->kinetic, why));
+    CALL(read_numbers(file, path, "energy/elastic", count, 3, &l->energy->elastic, why));
+    return read_numbers(file, path, "energy/potential", count, 3, &l->energy->potential,
+                        why);
 }
 
 /* Reads the measures of the truth, where the file has distances to one (looks_truth). */
@@ -74,18 +70,16 @@ static enum status read_truth(struct store_read *file, const char *path, int loo
     double *number[LOOKS_TRUTH];
     char name[64];
     int rows, columns;
-    enum status st = STATUS_OK;
 
     for (int n = 0; n < LOOKS_TRUTH; n++) {
         snprintf(name, sizeof name, "metrics/%s", looks_truth[n]);
         if (!store_read_has(file, name))
             return STATUS_OK;
-        TRY(store_read_array(file, name, &number[n], &rows, &columns, why));
-        TRY(read_numbers(file, path, name, looks, 1, number[n], why));
+        CALL(store_read_array(file, name, &number[n], &rows, &columns, why));
+        CALL(read_numbers(file, path, name, looks, 1, number[n], why));
     }
     looks_reduce_truth(looks, number[LOOKS_TRUTH_ERROR], number[LOOKS_TRUTH_BAR], value);
-out:
-    return st;
+    return STATUS_OK;
 }
 
 /* Reads an array of seconds, if it is there: the summary, over the repeats, of each one's
@@ -97,11 +91,10 @@ static enum status read_seconds(struct store_read *file, const char *name,
 {
     double *seconds, total = 0;
     int rows, columns, repeats = 0;
-    enum status st;
 
     if (!store_read_has(file, name))
         return STATUS_OK;
-    TRY(store_read_array(file, name, &seconds, &rows, &columns, why));
+    CALL(store_read_array(file, name, &seconds, &rows, &columns, why));
     for (int r = 0; r < rows; r++) {
         double mean = 0;
         int count = 0;
@@ -120,10 +113,9 @@ static enum status read_seconds(struct store_read *file, const char *name,
     }
     if (repeats && summary) {
         *summary = clock_summarise(seconds, repeats);
-        TRY(summary->count ? STATUS_OK : STATUS_MEMORY);
+        CALL(summary->count ? STATUS_OK : STATUS_MEMORY);
     }
-out:
-    return st;
+    return STATUS_OK;
 }
 
 static enum status read_times(struct store_read *file, struct run_result *r,
@@ -132,19 +124,17 @@ static enum status read_times(struct store_read *file, struct run_result *r,
     static const char *const phase[RUN_RESULT_PHASES] = {"seconds/assemble",
                                                          "seconds/factor", "seconds/solve"};
     double all = 0, ours = 0;
-    enum status st;
 
-    TRY(read_seconds(file, "seconds/timed", NULL, &all, NULL, why));
-    TRY(read_seconds(file, "seconds/processor", NULL, &ours, NULL, why));
+    CALL(read_seconds(file, "seconds/timed", NULL, &all, NULL, why));
+    CALL(read_seconds(file, "seconds/processor", NULL, &ours, NULL, why));
     r->processor = ours / all;
-    TRY(read_seconds(file, "seconds/create", &r->create, &r->create_seconds, NULL, why));
-    TRY(read_seconds(file, "seconds/advance", &r->step, &r->step_seconds, &r->steps, why));
-    TRY(read_seconds(file, "seconds/equilibrium", &r->step, NULL, NULL, why));
-    TRY(read_seconds(file, "seconds/look", NULL, &r->look_seconds, NULL, why));
+    CALL(read_seconds(file, "seconds/create", &r->create, &r->create_seconds, NULL, why));
+    CALL(read_seconds(file, "seconds/advance", &r->step, &r->step_seconds, &r->steps, why));
+    CALL(read_seconds(file, "seconds/equilibrium", &r->step, NULL, NULL, why));
+    CALL(read_seconds(file, "seconds/look", NULL, &r->look_seconds, NULL, why));
     for (int p = 0; p < RUN_RESULT_PHASES; p++)
-        TRY(read_seconds(file, phase[p], &r->phase[p], NULL, NULL, why));
-out:
-    return st;
+        CALL(read_seconds(file, phase[p], &r->phase[p], NULL, NULL, why));
+    return STATUS_OK;
 }
 
 /* Returns a count from a file; 0: it is none. */
@@ -169,20 +159,18 @@ static enum status read_work(struct store_read *file, struct counters *work,
                     {"counters/tested", &work->tested},
                     {"counters/missed", &work->missed},
                     {"counters/left", NULL}};
-    enum status st = STATUS_OK;
 
     for (size_t n = 0; n < sizeof counters / sizeof *counters; n++) {
         double *value;
         int rows, columns;
-        TRY(store_read_array(file, counters[n].name, &value, &rows, &columns, why));
+        CALL(store_read_array(file, counters[n].name, &value, &rows, &columns, why));
         const double last = rows && isfinite(value[rows - 1]) ? value[rows - 1] : 0;
         if (counters[n].count)
             *counters[n].count = count_of(last);
         else
             work->left = last;
     }
-out:
-    return st;
+    return STATUS_OK;
 }
 
 static enum status read_fields(struct store_read *file, const char *path, bool fields,
@@ -247,22 +235,20 @@ static enum status read_end(struct store_read *file, const char *path, struct ru
                             struct message *why)
 {
     char *outcome, *note = "", quick[8] = "";
-    enum status st;
 
     r->death_time = NAN;
-    TRY(store_read_text(file, "/", "outcome", &outcome, why));
-    TRY(find_outcome(outcome, path, &r->outcome, why));
+    CALL(store_read_text(file, "/", "outcome", &outcome, why));
+    CALL(find_outcome(outcome, path, &r->outcome, why));
     if (run_result_refused(r))
-        TRY(store_read_text(file, "/", "note", &note, why));
+        CALL(store_read_text(file, "/", "note", &note, why));
     else if (r->outcome)
-        TRY(store_read_number(file, "death_time", &r->death_time, why));
+        CALL(store_read_number(file, "death_time", &r->death_time, why));
     run_result_tell(r, note);
     read_extra(file, "made_for", r->made_for, sizeof r->made_for);
     read_extra(file, "quick", quick, sizeof quick);
     r->quick = *quick;
     read_extra(file, "distrust", r->distrust.text, sizeof r->distrust.text);
-out:
-    return st;
+    return STATUS_OK;
 }
 
 /* Reads what of its numerics a table shows. */
@@ -271,47 +257,40 @@ static enum status read_numerics(struct store_read *file, const char *path,
 {
     char *text;
     const char *points;
-    enum status st;
 
-    TRY(store_read_text(file, "/", "discretization", &text, why));
+    CALL(store_read_text(file, "/", "discretization", &text, why));
     points = strstr(text, "discretization.points=");
     if (!points || sscanf(points, "discretization.points=[%d,%d,%d", &r->points[0],
                           &r->points[1], &r->points[2]) < 2)
-        TRY(status_fail(why, STATUS_INPUT, "%s: has no points", path));
+        return status_fail(why, STATUS_INPUT, "%s: has no points", path);
     r->linear = strstr(text, "discretization.kinematics=linear\n");
-out:
-    return st;
+    return STATUS_OK;
 }
 
 enum status run_result_read(const char *path, bool fields, struct run_result *result,
                             struct message *why)
 {
-    enum status st;
-    struct run_result r = {0};
-    struct looks looks = {0};
-    struct store_read *file = NULL;
+    struct run_result r SCOPED(run_result_clear) = {0};
+    struct looks looks SCOPED(looks_clear) = {0};
+    struct store_read *file SCOPED(store_read_close_scope) = NULL;
 
-    TRY(store_read_open(path, &file, why));
-    TRY(read_work(file, &r.work, why));
-    TRY(read_end(file, path, &r, why));
-    TRY(store_read_number(file, "unknowns", &r.unknowns, why));
-    TRY(store_read_number(file, "factor_entries", &r.factor_entries, why));
+    CALL(store_read_open(path, &file, why));
+    CALL(read_work(file, &r.work, why));
+    CALL(read_end(file, path, &r, why));
+    CALL(store_read_number(file, "unknowns", &r.unknowns, why));
+    CALL(store_read_number(file, "factor_entries", &r.factor_entries, why));
     if (store_read_number(file, "model_bytes", &r.bytes, NULL) != STATUS_OK)
         r.bytes = NAN;
-    TRY(store_scene(file, path, &r.scene, why));
-    TRY(read_numerics(file, path, &r, why));
-    TRY(read_looks(file, path, &looks, why));
-    TRY(read_times(file, &r, why));
+    CALL(store_scene(file, path, &r.scene, why));
+    CALL(read_numerics(file, path, &r, why));
+    CALL(read_looks(file, path, &looks, why));
+    CALL(read_times(file, &r, why));
     looks_reduce(&looks, &r.scene, r.outcome, r.death_time, &r.work, r.value);
-    TRY(read_truth(file, path, looks.count, r.value, why));
-    TRY(read_fields(file, path, fields, &r, why));
+    CALL(read_truth(file, path, looks.count, r.value, why));
+    CALL(read_fields(file, path, fields, &r, why));
     *result = r;
     r = (struct run_result){0};
-out:
-    run_result_clear(&r);
-    looks_clear(&looks);
-    store_read_close(file);
-    return st;
+    return STATUS_OK;
 }
 
 void run_result_clear(struct run_result *r)

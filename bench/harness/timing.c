@@ -48,8 +48,7 @@ void timing_clear(struct timing_case *c)
 static enum status step(const struct timing_case *c, struct run *fresh, double *seconds,
                         struct message *why)
 {
-    struct motion m = {0};
-    enum status st;
+    struct motion m SCOPED(motion_clear) = {0};
 
     motion_init(&m, fresh->model, &fresh->scene, fresh->state);
     m.judged = true;
@@ -57,12 +56,10 @@ static enum status step(const struct timing_case *c, struct run *fresh, double *
     m.clock = clock_processor;
     m.frame_count =
         c->warmup + c->frames < m.frame_count ? c->warmup + c->frames : m.frame_count;
-    TRY(motion_run(&m, NULL, NULL, true, why));
+    CALL(motion_run(&m, NULL, NULL, true, why));
     for (int n = c->warmup; n < m.frames; n++)
         seconds[n - c->warmup] = m.seconds[n];
-out:
-    motion_clear(&m);
-    return st;
+    return STATUS_OK;
 }
 
 static enum status settle(struct run *fresh, double *seconds, struct message *why)

@@ -10,25 +10,24 @@ static enum status run(struct command_line *line, struct message *why)
     const char *out = command_value(line, "--out"), *site = command_value(line, "--site");
     struct stat what;
     char path[4096];
-    enum status st = STATUS_OK;
 
     if (out && site)
-        TRY(status_fail(why, STATUS_INPUT, "report takes --out or --site, one of the two"));
+        return status_fail(why, STATUS_INPUT,
+                           "report takes --out or --site, one of the two");
     if (stat(folder, &what) != 0 || !S_ISDIR(what.st_mode))
-        TRY(status_fail(why, STATUS_INPUT,
-                        "%s: there is no such folder of results; clothbench table 1 makes "
-                        "the first of them in results/",
-                        folder));
+        return status_fail(
+            why, STATUS_INPUT,
+            "%s: there is no such folder of results; clothbench table 1 makes "
+            "the first of them in results/",
+            folder);
     if (snprintf(path, sizeof path, "%s/report.html", folder) >= (int)sizeof path)
-        TRY(status_fail(why, STATUS_INPUT, "%.60s...: the path is too long", folder));
-    st = show_run((const char *const[]){site ? "site" : "page", folder,
-                                        site  ? site
-                                        : out ? out
-                                              : path,
-                                        NULL},
-                  why);
-out:
-    return st;
+        return status_fail(why, STATUS_INPUT, "%.60s...: the path is too long", folder);
+    return show_run((const char *const[]){site ? "site" : "page", folder,
+                                          site  ? site
+                                          : out ? out
+                                                : path,
+                                          NULL},
+                    why);
 }
 
 static const struct command_option options[] = {

@@ -108,7 +108,6 @@ static enum status check_options(const struct job *j, const struct command_line 
 static enum status read_options(struct job *j, const struct command_line *line,
                                 struct message *why)
 {
-    enum status st = STATUS_OK;
     const char *name = command_value(line, "--model"), *out = command_value(line, "--out");
     int count;
     const char *const *points = command_values(line, "--probe", &count);
@@ -119,39 +118,37 @@ static enum status read_options(struct job *j, const struct command_line *line,
     if (command_given(line, "--modes")) {
         j->settled = j->task == TASK_STATIC;
         j->task = TASK_MODES;
-        TRY(command_integer(line, "--modes", 1, MODES_MOST, &j->mode_count, why));
+        CALL(command_integer(line, "--modes", 1, MODES_MOST, &j->mode_count, why));
     }
     j->every = 1;
-    TRY(command_integer(line, "--every", 1, INT_MAX, &j->every, why));
-    TRY(probe_init(&j->probe, count, points, why));
-    TRY(check_options(j, line, why));
-    TRY(out ? store_try(out, why) : STATUS_OK);
+    CALL(command_integer(line, "--every", 1, INT_MAX, &j->every, why));
+    CALL(probe_init(&j->probe, count, points, why));
+    CALL(check_options(j, line, why));
+    CALL(out ? store_try(out, why) : STATUS_OK);
     j->c.contestant = contestant_table;
     if (name)
-        TRY(contestant_find(name, &j->c.contestant, why));
-out:
-    return st;
+        CALL(contestant_find(name, &j->c.contestant, why));
+    return STATUS_OK;
 }
 
 static enum status read_scene(struct job *j, const struct command_line *line,
                               struct message *why)
 {
-    enum status st = STATUS_OK;
     int given;
     char *path = NULL;
     const char *const *set = command_values(line, "--set", &given);
 
     settings_set_all(&j->c.settings, given, set);
-    TRY(scene_file_find(line->words[0], &path, why));
+    CALL(scene_file_find(line->words[0], &path, why));
     j->c.path = arena_keep(&j->c.settings.arena, path);
-    TRY(run_read(&j->run, &j->c, why));
+    CALL(run_read(&j->run, &j->c, why));
     if (j->settled && j->run.discretization.kinematics != KINEMATICS_NONLINEAR)
-        TRY(status_fail(why, STATUS_INPUT,
-                        "--static --modes: modes about static equilibrium need "
-                        "discretization.kinematics=nonlinear; linear ones are those of the "
-                        "rest shape, --modes alone"));
-out:
-    return st;
+        return status_fail(
+            why, STATUS_INPUT,
+            "--static --modes: modes about static equilibrium need "
+            "discretization.kinematics=nonlinear; linear ones are those of the "
+            "rest shape, --modes alone");
+    return STATUS_OK;
 }
 
 /* The frames examined where no file is kept; a run's sentences may open with a finding. */
@@ -183,15 +180,13 @@ static void tell(struct job *j, const struct run_result *r)
 
 static enum status watch_frame(void *context, const struct motion *m, struct message *why)
 {
-    enum status st = STATUS_OK;
     struct job *j = context;
 
     if (j->probe.count)
-        TRY(probe_print(&j->probe, &j->run, m->time, why));
+        CALL(probe_print(&j->probe, &j->run, m->time, why));
     if (j->file)
-        TRY(run_file_watch(j->file, m, why));
-out:
-    return st;
+        CALL(run_file_watch(j->file, m, why));
+    return STATUS_OK;
 }
 
 /* Completes the file, even after a death: a death is a result. */
@@ -212,21 +207,18 @@ out:
 
 static enum status run_motion(struct job *j, struct message *why)
 {
-    enum status st = STATUS_OK;
-    struct motion m = {0};
+    struct motion m SCOPED(motion_clear) = {0};
 
     motion_init(&m, j->run.model, &j->run.scene, j->run.state);
-    TRY(motion_run(&m, watch_frame, j, j->quiet, why));
-    TRY(close_file(j, &m, why));
+    CALL(motion_run(&m, watch_frame, j, j->quiet, why));
+    CALL(close_file(j, &m, why));
     if (!j->quiet)
         describe_motion(&m, stderr);
     if (m.death)
-        TRY(motion_tell_death(&m, why));
+        CALL(motion_tell_death(&m, why));
     if (!j->quiet)
-        TRY(describe_state(&j->run, m.time, stderr));
-out:
-    motion_clear(&m);
-    return st;
+        CALL(describe_state(&j->run, m.time, stderr));
+    return STATUS_OK;
 }
 
 /* Finds equilibrium; a remark of the model on its success goes to *told. */
@@ -248,29 +240,24 @@ out:
 static enum status run_static(struct job *j, struct message *why)
 {
     struct message told = {""};
-    enum status st;
 
-    TRY(settle(j, &told, why));
+    CALL(settle(j, &told, why));
     if (j->probe.count)
         j->printer->file = stderr;
-    TRY(statics_print(&j->run, &told, j->printer));
+    CALL(statics_print(&j->run, &told, j->printer));
     if (j->probe.count)
-        TRY(probe_print(&j->probe, &j->run, 0, why));
-out:
-    return st;
+        CALL(probe_print(&j->probe, &j->run, 0, why));
+    return STATUS_OK;
 }
 
 static enum status run_modes_of(struct job *j, struct message *why)
 {
     struct message told = {""};
-    enum status st = STATUS_OK;
 
     if (j->settled)
-        TRY(settle(j, &told, why));
+        CALL(settle(j, &told, why));
     tell(j, NULL);
-    TRY(statics_modes(&j->run, (int)j->mode_count, j->settled, j->printer, why));
-out:
-    return st;
+    return statics_modes(&j->run, (int)j->mode_count, j->settled, j->printer, why);
 }
 
 static enum status run_task(struct job *j, struct message *why)

@@ -150,12 +150,11 @@ enum status statics_modes(struct run *run, int count, bool settled, struct print
 {
     static const struct dataset_column columns[] = {
         {"mode"}, {"omega", "rad/s"}, {"frequency", "Hz"}, {"lambda", "1"}};
-    enum status st = STATUS_OK;
-    struct arena own = {0};
+    struct arena own SCOPED(arena_clear) = {0};
     double *omega = arena_take(&own, (size_t)count, sizeof *omega);
     struct dataset *t;
 
-    TRY(run_modes(run, count, omega, why));
+    CALL(run_modes(run, count, omega, why));
     t = dataset_create(4, columns,
                        settled ? "Natural frequencies about static equilibrium"
                                : "Natural frequencies about the rest shape");
@@ -164,10 +163,7 @@ enum status statics_modes(struct run *run, int count, bool settled, struct print
     dataset_note(t, "lambda = omega L^2 sqrt(rho h / D), D = E h^3 / 12 (1 - nu^2).");
     if (settled)
         add_stability(t, &run->scene, count, omega);
-    st = printer_table(p, t, NULL, why);
-out:
-    arena_clear(&own);
-    return st;
+    return printer_table(p, t, NULL, why);
 }
 
 static enum status write_one(const char *folder, const char *name, const char *what,
@@ -175,12 +171,13 @@ static enum status write_one(const char *folder, const char *name, const char *w
                              struct message *why)
 {
     const int *points = run->discretization.points;
-    char path[4096], *settings = NULL, *comment = NULL;
-    enum status st;
+    char path[4096];
+    char *comment SCOPED(scope_free) = NULL;
+    char *settings SCOPED(scope_free) = NULL;
 
     if (snprintf(path, sizeof path, "%s/%s", folder, name) >= (int)sizeof path)
         return status_fail(why, STATUS_INPUT, "--matrices: the folder's name is too long");
-    TRY(scene_schema_print(&run->discretization, &settings));
+    CALL(scene_schema_print(&run->discretization, &settings));
     if (asprintf(&comment,
                  "%s\n"
                  "model %s (%s), scene %s\n"
@@ -192,13 +189,9 @@ static enum status write_one(const char *folder, const char *name, const char *w
                  what, run->model->name, run->model->title, run->scene.name, points[1],
                  points[2], settings) < 0) {
         comment = NULL;
-        TRY(STATUS_MEMORY);
+        CALL(STATUS_MEMORY);
     }
-    TRY(matrix_market_write(path, A, comment, why));
-out:
-    free(settings);
-    free(comment);
-    return st;
+    return matrix_market_write(path, A, comment, why);
 }
 
 enum status statics_matrices(const char *folder, const struct case_plan *c,

@@ -125,25 +125,23 @@ static enum status read_all(struct arena *arena, struct frames_array *file,
                             const char *path, struct score_ladder *l, struct message *why)
 {
     unsigned long long size[8];
-    enum status st;
 
-    TRY(frames_array_begin(file, "t", size, why));
+    CALL(frames_array_begin(file, "t", size, why));
     if (size[0] < 1 || size[0] > TIMES_MOST)
-        TRY(status_fail(why, STATUS_INPUT,
-                        "%s: has %llu times; tools/ladder makes a file "
-                        "of 1 to %d",
-                        path, size[0], TIMES_MOST));
+        return status_fail(why, STATUS_INPUT,
+                           "%s: has %llu times; tools/ladder makes a file "
+                           "of 1 to %d",
+                           path, size[0], TIMES_MOST);
     const size_t times = (size_t)size[0];
     const size_t points = times * LADDER_POINTS;
-    TRY(load(arena, file, "t", times, 1, &l->time, why));
-    TRY(load(arena, file, "scale", LADDER_RUNGS, 1, &l->scale, why));
-    TRY(load(arena, file, "size", LADDER_FLAWS, 1, &l->size, why));
-    TRY(load(arena, file, "bending", LADDER_RUNGS * points, 3, &l->rung, why));
-    TRY(load(arena, file, "flaw", LADDER_FLAWS * points, 3, &l->flaw, why));
-    TRY(load(arena, file, "bending_bar", LADDER_RUNGS * times, 1, &l->bar, why));
+    CALL(load(arena, file, "t", times, 1, &l->time, why));
+    CALL(load(arena, file, "scale", LADDER_RUNGS, 1, &l->scale, why));
+    CALL(load(arena, file, "size", LADDER_FLAWS, 1, &l->size, why));
+    CALL(load(arena, file, "bending", LADDER_RUNGS * points, 3, &l->rung, why));
+    CALL(load(arena, file, "flaw", LADDER_FLAWS * points, 3, &l->flaw, why));
+    CALL(load(arena, file, "bending_bar", LADDER_RUNGS * times, 1, &l->bar, why));
     l->times = (int)times;
-out:
-    return st;
+    return STATUS_OK;
 }
 
 enum status score_ladder_read(struct arena *arena, const struct scene *scene,
@@ -390,18 +388,15 @@ static enum status map_points(struct score *s, const struct frames_net *file,
     const int n = file->points[0], m = file->points[1];
     struct frames_net frames = {.vertices = n * m};
     struct score_net net;
-    enum status st;
 
     frames.uv = arena_take(&s->arena, 2 * (size_t)(n * m), sizeof *frames.uv);
     for (int k = 0; k < n * m; k++) {
         frames.uv[2 * k] = (double)(k % n) / (n - 1);
         frames.uv[2 * k + 1] = (double)(k / n) / (m - 1);
     }
-    TRY(score_net_make(&s->arena, &frames, &s->truth->scene, name, NULL, NULL, &net, why));
-    TRY(score_net_map(&s->arena, &net, &frames, &s->truth->scene, name, GRID_U, GRID_V,
-                      &s->points, why));
-out:
-    return st;
+    CALL(score_net_make(&s->arena, &frames, &s->truth->scene, name, NULL, NULL, &net, why));
+    return score_net_map(&s->arena, &net, &frames, &s->truth->scene, name, GRID_U, GRID_V,
+                         &s->points, why);
 }
 
 /* Makes the net and both views of it from the first frame. */
@@ -414,24 +409,23 @@ static enum status make_net(struct score *s, const struct frames *frames,
     const struct scene *scene = &s->truth->scene;
     double *rest = NULL;
     struct arena *arena = &s->arena;
-    enum status st;
 
     if (net->rest && !net->uv) {
         rest = arena_take(arena, 3 * (size_t)net->vertices, sizeof *rest);
         turn(look, net->vertices, net->rest, rest);
     }
-    TRY(score_net_make(arena, net, scene, name, rest, xyz, &s->net, why));
+    CALL(score_net_make(arena, net, scene, name, rest, xyz, &s->net, why));
     memcpy(s->net.points, net->points, sizeof s->net.points);
-    TRY(score_net_map(arena, &s->net, net, scene, name, GRID_U, GRID_V, &s->grid.map, why));
-    TRY(score_net_map(arena, &s->net, net, scene, name, LADDER_U, LADDER_V, &s->fine.map,
-                      why));
+    CALL(
+        score_net_map(arena, &s->net, net, scene, name, GRID_U, GRID_V, &s->grid.map, why));
+    CALL(score_net_map(arena, &s->net, net, scene, name, LADDER_U, LADDER_V, &s->fine.map,
+                       why));
     if (net->linear && scene_sheets(scene) == 1)
-        TRY(map_points(s, net, name, why));
+        CALL(map_points(s, net, name, why));
     score_contact_begin(arena, &s->contact, scene, net, &s->net);
     make_path(s);
     take_start(s, xyz);
-out:
-    return st;
+    return STATUS_OK;
 }
 
 /* Frames far from the truth's way have a way of their own: where one is lost the sheet

@@ -52,20 +52,18 @@ static enum status take_itself(struct score_contact *c, struct score_contact_eve
                                const double *xyz)
 {
     long pairs;
-    enum status st;
 
-    TRY(intersection_count_mesh(&c->work, c->net->vertices, xyz, c->triangles, c->corner,
-                                &pairs));
+    CALL(intersection_count_mesh(&c->work, c->net->vertices, xyz, c->triangles, c->corner,
+                                 &pairs));
     if (pairs <= c->event[SCORE_CONTACT_ITSELF_WORST].with.pairs)
         return STATUS_OK;
-    TRY(crossing_measure(&c->work, CROSSING_TOLERANCE, &event.with));
+    CALL(crossing_measure(&c->work, CROSSING_TOLERANCE, &event.with));
     event.value = event.with.depth;
     if (event.with.pairs && !c->event[SCORE_CONTACT_ITSELF].frame)
         c->event[SCORE_CONTACT_ITSELF] = event;
     if (event.with.pairs)
         c->event[SCORE_CONTACT_ITSELF_WORST] = event;
-out:
-    return st;
+    return STATUS_OK;
 }
 
 enum status score_contact_take(struct score_contact *c, double t, const double *xyz)

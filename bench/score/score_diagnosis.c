@@ -691,7 +691,7 @@ struct times {
 static struct times find_times(const struct score *s)
 {
     struct times times = {.lag = {1, 0, 0, 0}, .pace = {1, 0, 0, 0}};
-    struct arena own = {0};
+    struct arena own SCOPED(arena_clear) = {0};
 
     if (!s->truth->moves)
         return times;
@@ -708,7 +708,6 @@ static struct times find_times(const struct score *s)
         times.lag = compare(s, as_is, 1, lead[count / 2].lead);
     if (!s->truth->known.closed) /* in a free fall it is another gravity */
         times.pace = best_pace(s, as_is);
-    arena_clear(&own);
     return times;
 }
 

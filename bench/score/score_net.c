@@ -394,7 +394,7 @@ static void list_used(struct arena *arena, const struct score_net *net,
                       struct score_map *map)
 {
     const int count = 4 * map->nu * map->nv;
-    struct arena own = {0};
+    struct arena own SCOPED(arena_clear) = {0};
     int *place = arena_take(&own, (size_t)net->vertices, sizeof *place),
         *each = *map->place;
 
@@ -407,7 +407,6 @@ static void list_used(struct arena *arena, const struct score_net *net,
     map->uv = arena_take(arena, (size_t)map->used, sizeof *map->uv);
     for (int n = 0; n < map->used; n++)
         memcpy(map->uv[n], net->uv + 2L * map->vertex[n], sizeof *map->uv);
-    arena_clear(&own);
 }
 
 enum status score_net_map(struct arena *arena, struct score_net *net,
@@ -417,27 +416,26 @@ enum status score_net_map(struct arena *arena, struct score_net *net,
 {
     const size_t points = (size_t)nu * (size_t)nv;
     struct point *p = points_of(arena, net);
-    enum status st;
+    enum status st = STATUS_OK;
 
     *map = (struct score_map){nu, nv, .sheets = scene->sheets,
                               .place = arena_take(arena, points, sizeof *map->place),
                               .weight = arena_take(arena, points, sizeof *map->weight)};
-    TRY(check_span(net, name, why));
-    TRY(check_sheets(net, scene, name, why));
+    CALL(check_span(net, name, why));
+    CALL(check_sheets(net, scene, name, why));
     const int columns = count_lines(p, net->vertices, 0),
               rows = count_lines(p, net->vertices, 1);
     if (sort_rows(p, columns, rows, net->vertices)) {
         net->columns = columns, net->rows = rows;
         map_rows(scene, p, columns, rows, map);
     } else if (frames->triangles)
-        TRY(map_triangles(net, frames, scene, name, map, why));
+        CALL(map_triangles(net, frames, scene, name, map, why));
     else
         st = status_fail(why, STATUS_INPUT,
                          "%s: %d vertices are on %d lines u and %d lines v; one at each "
                          "crossing, or faces (OBJ, PLY, --rest), would be right",
                          name, net->vertices, columns, rows);
     list_used(arena, net, map);
-out:
     return st;
 }
 
@@ -526,23 +524,21 @@ static void weigh(const struct score_map *map, const double *x, double *field)
 
 void score_map_apply(const struct score_map *map, const double *xyz, double *field)
 {
-    struct arena own = {0};
+    struct arena own SCOPED(arena_clear) = {0};
     double *x = arena_take(&own, 3 * (size_t)map->used, sizeof *x);
 
     for (int n = 0; n < map->used; n++)
         memcpy(x + 3L * n, xyz + 3L * map->vertex[n], 3 * sizeof *x);
     weigh(map, x, field);
-    arena_clear(&own);
 }
 
 void score_map_seen(const struct score_map *map, int nu, int nv, const double *field,
                     double *seen)
 {
-    struct arena own = {0};
+    struct arena own SCOPED(arena_clear) = {0};
     double *x = arena_take(&own, 3 * (size_t)map->used, sizeof *x);
 
     for (int n = 0; n < map->used; n++)
         score_net_sample(map->sheets, nu, nv, field, map->uv[n], x + 3L * n);
     weigh(map, x, seen);
-    arena_clear(&own);
 }

@@ -63,7 +63,7 @@ void score_start_strays(const struct scene *scene, const struct score_net *net,
                         const double *rest, const double *xyz, struct score_strays *strays)
 {
     const size_t count = (size_t)net->vertices;
-    struct arena own = {0};
+    struct arena own SCOPED(arena_clear) = {0};
     double *off = arena_take(&own, 5 * count, sizeof *off);
 
     *strays = (struct score_strays){0};
@@ -80,7 +80,6 @@ void score_start_strays(const struct scene *scene, const struct score_net *net,
     count_strays(net->vertices, xyz, point, off,
                  (STRAY_TIMES * strays->others + STRAY_LEAST) * scene->length, strays);
     strays->off = off[strays->vertex[0]] / scene->length;
-    arena_clear(&own);
 }
 
 /* --- a turned sheet --- */

@@ -53,17 +53,15 @@ static struct case_plan *add_run(struct bench *b, const struct contestant *who, 
 static enum status plan_solids(struct bench *b, struct message *why)
 {
     static const double end = 0.11; /* twenty frames after two of warm-up (measurement.h) */
-    enum status st = STATUS_OK;
 
     for (const struct solid_row *row = solids; row < solids + SOLIDS; row++) {
         const struct contestant *who;
-        TRY(contestant_find(row->contestant, &who, why));
+        CALL(contestant_find(row->contestant, &who, why));
         struct case_plan *c = add_run(b, who, 2, row->settings, end);
         c->timed = CASE_SOME;
         c->phases = true;
     }
-out:
-    return st;
+    return STATUS_OK;
 }
 
 enum { WORDS = 2048 };
@@ -243,12 +241,9 @@ static enum status measure(const struct bench_part *part, struct bench *b,
 {
     const struct measurement_options options = {
         .what = part->item.name, .quick = b->quick, .again = true};
-    enum status st;
 
-    TRY(folder_make(b->folder, why));
-    TRY(batch_run(&b->batch, &options, why));
-out:
-    return st;
+    CALL(folder_make(b->folder, why));
+    return batch_run(&b->batch, &options, why);
 }
 
 static enum status run_part(const struct bench_part *part, struct bench *b, bool read_only,
@@ -317,32 +312,29 @@ static enum status run(struct command_line *line, struct message *why)
                       .models = command_value(line, "--models"),
                       .printer = &line->printer,
                       .quick = command_given(line, "--quick")};
-    char *path = NULL;
-    enum status st = STATUS_OK;
+    char *path SCOPED(scope_free) = NULL;
 
-    TRY(command_folder(line, &b.folder, &from, why));
+    CALL(command_folder(line, &b.folder, &from, why));
     for (int n = 0; n < line->word_count; n++)
-        TRY(check_word(line->words[n], from != NULL, why));
-    TRY(contestant_check(b.models, why));
-    TRY(scene_file_find("edge_drop", &path, why));
+        CALL(check_word(line->words[n], from != NULL, why));
+    CALL(contestant_check(b.models, why));
+    CALL(scene_file_find("edge_drop", &path, why));
     b.path = path;
     if (!from)
-        TRY(folder_make(b.folder, why));
+        CALL(folder_make(b.folder, why));
     line->printer.folder = b.folder;
     timing_alone();
     for (int n = 0; items[n]; n++) {
         const struct bench_part *part = (const struct bench_part *)items[n];
         if (wanted(line, part, from != NULL))
-            TRY(run_part(part, &b, from != NULL, why));
+            CALL(run_part(part, &b, from != NULL, why));
     }
     if (!from && printer_is_prose(b.printer))
         printf("Peak memory %.0f MB; BLAS kernel %s, %d thread.\n",
                (double)clock_peak_memory() / 1e6, blas_kernel_name(),
                blas_kernel_threads());
     show_tell(b.folder);
-out:
-    free(path);
-    return st;
+    return STATUS_OK;
 }
 
 static const struct command_option options[] = {

@@ -115,23 +115,19 @@ static enum status make_sweep(struct net *net)
     const struct spring_sweep_plan plan = {
         .n = net->side, .m = net->side, .sheet = net->side, .precision = PRECISION_DOUBLE};
     double(*c)[SWEEP_COUNT] = arena_take(net->arena, (size_t)count, sizeof *c);
-    enum status st;
 
     for (int n = 0; n < count; n++)
         c[n][SWEEP_KEEP] = c[n][SWEEP_FREE] = c[n][SWEEP_FREE + 1] = c[n][SWEEP_FREE + 2] =
             1;
-    TRY(spring_sweep_make(&plan, &net->sweep));
+    CALL(spring_sweep_make(&plan, &net->sweep));
     spring_sweep_set(net->sweep, (const double(*)[SWEEP_COUNT])c);
     spring_sweep_put(net->sweep, net->x, NULL);
-out:
-    return st;
+    return STATUS_OK;
 }
 
 static enum status make(const struct scene *scene, const struct shape *shape, int side,
                         struct net *net)
 {
-    enum status st;
-
     net->shape = shape;
     net->side = side;
     net->line = arena_take(net->arena, (size_t)side, sizeof *net->line);
@@ -139,14 +135,12 @@ static enum status make(const struct scene *scene, const struct shape *shape, in
     for (int n = 0; n < side; n++)
         net->line[n] = n / (side - 1.);
     place(net, 0);
-    TRY(contact_surface_init(&net->surface, scene, net, row, 1, side * side,
-                             (const double *const[]){net->line, net->line},
-                             (const int[]){side, side}));
-    TRY(contact_search_init(&net->search, &net->surface, start));
-    TRY(contact_search_init(&net->plain, &net->surface, start));
-    TRY(make_sweep(net));
-out:
-    return st;
+    CALL(contact_surface_init(&net->surface, scene, net, row, 1, side * side,
+                              (const double *const[]){net->line, net->line},
+                              (const int[]){side, side}));
+    CALL(contact_search_init(&net->search, &net->surface, start));
+    CALL(contact_search_init(&net->plain, &net->surface, start));
+    return make_sweep(net);
 }
 
 static void clear(struct net *net)
@@ -196,8 +190,6 @@ static enum status time_calls(struct net *net, enum what what, double *seconds)
  * timing.h says. */
 static enum status time_nets(int count, struct net *nets, bool quick)
 {
-    enum status st = STATUS_OK;
-
     for (int n = -count * MOVING; n < TIMING_REPEATS * count * MOVING; n++) {
         const int at = (n + count * MOVING) % (count * MOVING);
         struct net *net = &nets[at / MOVING];
@@ -207,39 +199,36 @@ static enum status time_nets(int count, struct net *nets, bool quick)
             (net->repeats[what] &&
              net->repeats[what] >= timing_repeats(net->seconds[what][0], quick)))
             continue;
-        TRY(time_calls(net, what, &seconds));
+        CALL(time_calls(net, what, &seconds));
         if (n >= 0 || seconds > TIMING_SHORT)
             add(net, what, seconds);
     }
-out:
-    return st;
+    return STATUS_OK;
 }
 
 /* Times the search in steps of a motion, between them those of the springs. */
 static enum status time_motion(struct net *n, bool quick)
 {
     const double dt = 1 / waves / (n->side - 1);
-    enum status st = STATUS_OK;
     int count = 1;
 
     for (int r = 0; r < count; r++) {
         double seconds = 0;
         place(n, 0);
-        TRY(find_again(n));
+        CALL(find_again(n));
         const long sought = n->search.sought;
         for (int k = 1; k <= STEPS; k++) {
             place(n, k * dt);
-            TRY(step(n));
+            CALL(step(n));
             const double begin = clock_now();
-            TRY(find(n));
+            CALL(find(n));
             seconds += clock_now() - begin;
         }
         add(n, MOVING, seconds / STEPS);
         n->steps_kept = (double)STEPS / fmax(1, n->search.sought - sought);
         count = timing_repeats(seconds, quick);
     }
-out:
-    return st;
+    return STATUS_OK;
 }
 
 /* Returns the exponent by which a time grows with the number of points, from the fewest to

@@ -89,16 +89,15 @@ static bool is_sweep(const struct command *command)
 static enum status read_plan(const struct command *command, const char *path,
                              struct plan *plan, struct message *why)
 {
-    enum status st;
+    enum status st = STATUS_OK;
 
-    TRY(plan_read(path, plan, why));
-    TRY(results_check(plan, why));
+    CALL(plan_read(path, plan, why));
+    CALL(results_check(plan, why));
     if (plan_is_study(plan) == is_sweep(command))
         st = status_fail(
             why, STATUS_INPUT, "%s: the plan has %s, so it is no %s; clothbench %s runs it",
             path, is_sweep(command) ? "times" : "no times",
             is_sweep(command) ? "sweep" : "study", is_sweep(command) ? "study" : "sweep");
-out:
     return st;
 }
 
@@ -141,16 +140,14 @@ static enum status read_line(struct command_line *line, struct asked *a,
                              struct message *why)
 {
     const char *folder = NULL;
-    enum status st;
 
-    TRY(choose(line, a, why));
-    TRY(command_folder(line, &folder, &a->from, why));
+    CALL(choose(line, a, why));
+    CALL(command_folder(line, &folder, &a->from, why));
     a->printer = &line->printer;
     if (folder)
         snprintf(a->folder, sizeof a->folder, "%s", folder);
     a->quick = command_given(line, "--quick");
-out:
-    return st;
+    return STATUS_OK;
 }
 
 /* --- what is done ------------------------------------------------------------------------
@@ -162,34 +159,29 @@ static enum status read_sweep(struct command_line *line, struct asked *a,
     const char *folder = command_value(line, "--out");
     const struct ranks *ranks = a->pool.ranks;
     long jobs = 0;
-    enum status st;
 
     a->quiet = command_given(line, "--quiet");
-    TRY(command_integer(line, "--jobs", 1, 1024, &jobs, why));
+    CALL(command_integer(line, "--jobs", 1, 1024, &jobs, why));
     if (jobs && ranks)
-        TRY(status_fail(why, STATUS_INPUT,
-                        "--jobs: under mpirun every rank runs one case at a time; say "
-                        "how many with mpirun -n"));
+        return status_fail(why, STATUS_INPUT,
+                           "--jobs: under mpirun every rank runs one case at a time; say "
+                           "how many with mpirun -n");
     a->pool.slots = ranks ? 1 : jobs ? (int)jobs : timing_processors();
-    TRY(choose(line, a, why));
+    CALL(choose(line, a, why));
     a->pool.time_limit = a->plan.time_limit;
     if (folder)
         snprintf(a->folder, sizeof a->folder, "%s", folder);
-out:
-    return st;
+    return STATUS_OK;
 }
 
 /* Runs all cases on one thread and one processor: models are compared, not schedulers. */
 static enum status measure(const struct asked *a, struct message *why)
 {
     const struct measurement_options how = {.quick = a->quick};
-    enum status st;
 
-    TRY(folder_make(a->folder, why));
+    CALL(folder_make(a->folder, why));
     timing_alone();
-    TRY(study_measure(&a->plan, a->folder, &how, why));
-out:
-    return st;
+    return study_measure(&a->plan, a->folder, &how, why);
 }
 
 /* Prints to standard output, and into the folder what a report reads: always tables and
@@ -199,21 +191,16 @@ static enum status print(const struct command_line *line, const struct asked *a,
 {
     struct printer *out = a->printer, folder = {.format = TABLE_TEXT};
     struct printer *keep = printer_is_prose(out) ? out : &folder;
-    struct study_results r = {0};
-    struct kept *kept = NULL;
-    enum status st = STATUS_OK;
+    struct study_results r SCOPED(study_clear) = {0};
+    struct kept *kept SCOPED(kept_discard) = NULL;
 
     out->folder = a->folder;
     kept_open(a->folder, line->command->name, line->words[0], keep, &kept);
-    TRY(study_read(&a->plan, a->folder, &r, why));
+    CALL(study_read(&a->plan, a->folder, &r, why));
     if (kept && keep != out)
-        TRY(claim_tell(&r, keep, kept, why));
-    TRY(claim_tell(&r, out, keep == out ? kept : NULL, why));
-    TRY(kept_close(&kept, why));
-out:
-    kept_discard(&kept);
-    study_clear(&r);
-    return st;
+        CALL(claim_tell(&r, keep, kept, why));
+    CALL(claim_tell(&r, out, keep == out ? kept : NULL, why));
+    return kept_close(&kept, why);
 }
 
 /* --- all statements of the paper ---------------------------------------------------------
@@ -233,10 +220,8 @@ static bool is_of_the_paper(const struct plan *plan)
 static enum status read_one(const char *path, const struct asked *all, struct asked *a,
                             struct message *why)
 {
-    enum status st;
-
     *a = (struct asked){.from = all->from, .printer = all->printer, .quick = all->quick};
-    TRY(plan_read(path, &a->plan, why));
+    CALL(plan_read(path, &a->plan, why));
     for (const struct table_plan *t = tables; t->plan; t++)
         if (!strcmp(t->plan, a->plan.name))
             snprintf(a->folder, sizeof a->folder, "%.4000s/table%s", all->folder,
@@ -244,8 +229,7 @@ static enum status read_one(const char *path, const struct asked *all, struct as
     if (!*a->folder)
         snprintf(a->folder, sizeof a->folder, "%.3000s/study_%.900s", all->folder,
                  a->plan.name);
-out:
-    return st;
+    return STATUS_OK;
 }
 
 /* Runs a plan, if the paper states something on it, and adds its statements. */
@@ -343,21 +327,17 @@ static void serve(struct command_line *line, struct asked *a)
 static enum status lead(struct command_line *line, struct asked *a, struct message *why)
 {
     struct printer files = {.folder = a->folder};
-    struct study_results r = {0};
-    enum status st;
+    struct study_results r SCOPED(study_clear) = {0};
 
-    TRY(read_sweep(line, a, why));
-    TRY(sweep(a, why));
-    TRY(study_read(&a->plan, a->folder, &r, why));
-    TRY(sweep_save(&r, &files, why));
+    CALL(read_sweep(line, a, why));
+    CALL(sweep(a, why));
+    CALL(study_read(&a->plan, a->folder, &r, why));
+    CALL(sweep_save(&r, &files, why));
     if (!a->quiet) {
         sweep_print(&r, stdout);
         print_cost(a);
     }
-    TRY(ferror(stdout) ? STATUS_FILE : STATUS_OK);
-out:
-    study_clear(&r);
-    return st;
+    return ferror(stdout) ? STATUS_FILE : STATUS_OK;
 }
 
 static enum status run_sweep(struct command_line *line, struct message *why)

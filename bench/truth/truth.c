@@ -33,7 +33,7 @@ bool truth_plan_judges(const struct scene *scene, double time)
 static enum status check_drape(const struct scene *scene, struct message *why)
 {
     enum status st = STATUS_OK;
-    double *rest;
+    double *rest SCOPED(scope_free) = NULL;
 
     if (!scene->obstacle_count || scene->support_count)
         return STATUS_OK;
@@ -49,7 +49,6 @@ static enum status check_drape(const struct scene *scene, struct message *why)
             "(run %s --static); dropped onto an obstacle a sheet has a truth "
             "for a while, as sphere",
             scene->name, scene->name);
-    free(rest);
     return st;
 }
 
@@ -77,18 +76,15 @@ const char *truth_plan_damping(const struct scene *scene)
 enum status truth_plan_scene(const char *path, struct settings *settings,
                              struct scene *scene, struct message *why)
 {
-    enum status st;
     const char *damping;
 
-    TRY(contestant_read_scene(settings, path, scene, why));
+    CALL(contestant_read_scene(settings, path, scene, why));
     damping = truth_plan_damping(scene);
     if (!damping)
         return STATUS_OK;
     scene_clear(scene);
     settings_set(settings, damping);
-    TRY(contestant_read_scene(settings, path, scene, why));
-out:
-    return st;
+    return contestant_read_scene(settings, path, scene, why);
 }
 
 /* --- A truth as it was made or read --- */
@@ -177,23 +173,19 @@ enum status truth_stored_times(const char *path, const struct settings *settings
                                double until, int most, double *time, int *count,
                                struct message *why)
 {
-    struct scene scene = {0};
-    struct truth made = {0};
-    enum status st;
+    struct scene scene SCOPED(scene_clear) = {0};
+    struct truth made SCOPED(truth_clear) = {0};
     int last = 0;
 
     *count = 0;
-    TRY(contestant_read_scene(settings, path, &scene, why));
-    TRY(truth_judged(&scene, &made, why));
+    CALL(contestant_read_scene(settings, path, &scene, why));
+    CALL(truth_judged(&scene, &made, why));
     while (last < made.claimed && made.time[last] <= until + 1e-9)
         last++;
     *count = last < most ? last : most;
     for (int n = 0; n < *count; n++)
         time[n] = made.time[last - *count + n];
-out:
-    truth_clear(&made);
-    scene_clear(&scene);
-    return st;
+    return STATUS_OK;
 }
 
 /* --- A truth at given times --- */
@@ -295,7 +287,7 @@ static enum status from_file(const char *name, const char *before,
                              const struct scene *scene, struct truth *t,
                              struct message *why)
 {
-    struct truth made = {0};
+    struct truth made SCOPED(truth_clear) = {0};
     struct message said = {""};
     enum status st = truth_file_find(name, scene, &made, &said);
 
@@ -306,7 +298,6 @@ static enum status from_file(const char *name, const char *before,
     else if (st != STATUS_FILE)
         status_fail(why, st, "%s", said.text);
     snprintf(t->source, sizeof t->source, "%s%.511s", before, made.source);
-    truth_clear(&made);
     return st;
 }
 
@@ -336,17 +327,14 @@ static enum status make_one(const struct truth_runs *runs, const struct truth_wi
 {
     struct truth_end end;
     char path[PATH];
-    enum status st;
 
     truth_clear(t);
-    TRY(truth_make(runs, scene, wish, t, &end, why));
+    CALL(truth_make(runs, scene, wish, t, &end, why));
     if (end.answer == TRUTH_LOST)
-        TRY(status_fail(why, STATUS_UNSUPPORTED, "no truth of %s: %s", scene->name,
-                        end.text));
+        return status_fail(why, STATUS_UNSUPPORTED, "no truth of %s: %s", scene->name,
+                           end.text);
     truth_doubt(scene, t);
-    TRY(truth_file_write(left_in(runs->folder, path), runs, t, why));
-out:
-    return st;
+    return truth_file_write(left_in(runs->folder, path), runs, t, why);
 }
 
 /* Fills t with what is known or, with a wish, made in the folder; without, left there. */
@@ -380,20 +368,16 @@ static enum status fill(struct truth_runs *runs, const struct truth_wish *wish,
 static enum status find(struct truth_runs *runs, const struct truth_wish *wish, bool plate,
                         struct truth **truth, struct message *why)
 {
-    struct scene scene = {0};
-    struct truth *t = calloc(1, sizeof *t);
-    enum status st;
+    struct scene scene SCOPED(scene_clear) = {0};
+    struct truth *t SCOPED(truth_destroy_scope) = calloc(1, sizeof *t);
 
     if (!t)
         arena_end();
     truth_init(t, runs->times, runs->times, runs->time);
-    TRY(contestant_read_scene(runs->settings, runs->path, &scene, why));
-    TRY(plate ? from_kirchhoff(&scene, true, t, why) : fill(runs, wish, &scene, t, why));
+    CALL(contestant_read_scene(runs->settings, runs->path, &scene, why));
+    CALL(plate ? from_kirchhoff(&scene, true, t, why) : fill(runs, wish, &scene, t, why));
     *truth = t, t = NULL;
-out:
-    truth_destroy(t);
-    scene_clear(&scene);
-    return st;
+    return STATUS_OK;
 }
 
 enum status truth_of_plate(const char *path, const struct settings *settings, int times,

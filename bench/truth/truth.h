@@ -13,6 +13,7 @@
 
 #include <stdio.h>
 
+#include "bench/files/scope.h"
 #include "bench/harness/contestant.h"
 #include "bench/harness/run_result.h"
 #include "bench/harness/settings.h"
@@ -226,6 +227,7 @@ enum status truth_of_plate(const char *path, const struct settings *settings, in
 const char *truth_bar_name(const struct truth *t);
 
 void truth_destroy(struct truth *t); /* NULL is allowed */
+SCOPE_OF(truth_destroy, struct truth)
 
 /* --- Closed forms ---
  *

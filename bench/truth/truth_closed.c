@@ -241,7 +241,7 @@ static enum status at_rest(const struct scene *s, const double *rest, struct tru
 enum status truth_closed_fields(const struct scene *scene, struct truth *t)
 {
     enum status st = STATUS_OK;
-    double *rest;
+    double *rest SCOPED(scope_free) = NULL;
 
     if (t->times < 1 || (!falls(scene) && !rests(scene)))
         return STATUS_UNSUPPORTED;
@@ -255,7 +255,6 @@ enum status truth_closed_fields(const struct scene *scene, struct truth *t)
     if (falls(scene))
         snprintf(t->source, sizeof t->source,
                  "closed form: what nothing holds falls as one body; error bar: round-off");
-    free(rest);
     return st;
 }
 

@@ -298,26 +298,24 @@ struct job {
 static enum status read_wish(struct job *j, const struct command_line *line,
                              struct message *why)
 {
-    enum status st;
-
     j->quick = command_given(line, "--quick");
     j->must = command_given(line, "--error");
     j->wish.error = j->quick ? TRUTH_MOST_ERROR : ERROR;
     j->wish.seconds = j->quick ? QUICK_BUDGET : BUDGET;
     j->until = j->quick ? QUICK_UNTIL : INFINITY;
-    TRY(command_number(line, "--error", true, &j->wish.error, why));
-    TRY(command_number(line, "--budget", false, &j->wish.seconds, why));
-    TRY(command_number(line, "--until", false, &j->until, why));
+    CALL(command_number(line, "--error", true, &j->wish.error, why));
+    CALL(command_number(line, "--budget", false, &j->wish.seconds, why));
+    CALL(command_number(line, "--until", false, &j->until, why));
     if (j->must && j->wish.error >= TRUTH_MOST_ERROR)
-        TRY(status_fail(why, STATUS_INPUT,
-                        "--error %s: less than %g%% would be right, as no truth is claimed "
-                        "beyond",
-                        command_value(line, "--error"), 100 * TRUTH_MOST_ERROR));
+        return status_fail(
+            why, STATUS_INPUT,
+            "--error %s: less than %g%% would be right, as no truth is claimed "
+            "beyond",
+            command_value(line, "--error"), 100 * TRUTH_MOST_ERROR);
     if (j->quick && j->must)
-        TRY(status_fail(why, STATUS_INPUT,
-                        "truth takes --quick or --error, one of the two"));
-out:
-    return st;
+        return status_fail(why, STATUS_INPUT,
+                           "truth takes --quick or --error, one of the two");
+    return STATUS_OK;
 }
 
 /* Makes a truth by runs, which are kept in a folder of their own. */
@@ -326,8 +324,7 @@ static enum status make_by_runs(struct job *j, const char *own, struct truth_run
 {
     const double until = isfinite(j->until) ? j->until : j->scene.end;
     char folder[PATH];
-    double *time = NULL;
-    enum status st;
+    double *time SCOPED(scope_free) = NULL;
 
     snprintf(folder, sizeof folder, "results/truth_%s%s", j->scene.name,
              j->quick ? "_quick" : "");
@@ -336,17 +333,15 @@ static enum status make_by_runs(struct job *j, const char *own, struct truth_run
     runs->times = truth_plan_times(until, runs->frame, &j->scene, &time);
     runs->time = time;
     if (runs->times < 0)
-        TRY(STATUS_MEMORY);
+        CALL(STATUS_MEMORY);
     if (!runs->times)
-        TRY(status_fail(why, STATUS_INPUT, "--until %g: a frame is %g s long", until,
-                        TRUTH_PLAN_FRAME));
-    TRY(folder_make(runs->folder, why));
+        return status_fail(why, STATUS_INPUT, "--until %g: a frame is %g s long", until,
+                           TRUTH_PLAN_FRAME);
+    CALL(folder_make(runs->folder, why));
     timing_alone();
-    TRY(truth_make(runs, &j->scene, &j->wish, made, &j->end, why));
+    CALL(truth_make(runs, &j->scene, &j->wish, made, &j->end, why));
     fprintf(stderr, "its runs are in %s\n", runs->folder);
-out:
-    free(time);
-    return st;
+    return STATUS_OK;
 }
 
 /* Refuses to store what a program makes that is not that of a commit. */
@@ -372,21 +367,21 @@ static enum status choose_file(const struct job *j, const struct command_line *l
     const char *out = command_value(line, "--out");
     const bool store = command_given(line, "--store");
     const char *all = j->quick ? TRUTH_FILE_LEFT "_quick" : TRUTH_FILE_LEFT;
-    enum status st;
+    enum status st = STATUS_OK;
 
     if (out && store)
-        TRY(status_fail(why, STATUS_INPUT, "truth takes --out or --store, one of the two"));
+        return status_fail(why, STATUS_INPUT,
+                           "truth takes --out or --store, one of the two");
     if (!out && !store)
-        TRY(folder_make(all, why));
+        CALL(folder_make(all, why));
     if (out)
         snprintf(file, PATH, "%s", out);
     else
         snprintf(file, PATH, "%s/%s.h5", store ? truth_file_kind.in_source : all,
                  j->scene.name);
     if (store)
-        TRY(check_program(file, why));
+        CALL(check_program(file, why));
     st = store_try(file, why); /* is said before all runs, not after them */
-out:
     return st;
 }
 

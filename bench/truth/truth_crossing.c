@@ -28,21 +28,19 @@ out:
 
 enum status truth_crossing_judge(struct truth *made, int sheets)
 {
-    enum status st = STATUS_OK;
     bool known = true;
     int end = 0;
 
     for (int n = 0; n < made->claimed; n++)
         known &= !isnan(made->value[n][TRUTH_CROSSINGS]);
     if (!known)
-        TRY(search(made, sheets));
+        CALL(search(made, sheets));
     while (end < made->claimed && made->value[end][TRUTH_CROSSINGS] == 0)
         end++;
     for (int n = end; n < made->claimed; n++)
         made->xyz[n] = NULL;
     made->claimed = end;
-out:
-    return st;
+    return STATUS_OK;
 }
 
 void truth_crossing_tell(const struct truth *made, const struct scene *scene,

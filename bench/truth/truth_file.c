@@ -211,7 +211,7 @@ static void tell_line(const char *text, char line[LINE])
 enum status truth_physics_check(const char *text, const struct scene *scene,
                                 struct message *why)
 {
-    char *wanted = NULL;
+    char *wanted SCOPED(scope_free) = NULL;
     enum status st = truth_physics(scene, &wanted);
 
     if (st == STATUS_OK && strcmp(text, wanted) != 0) {
@@ -223,7 +223,6 @@ enum status truth_physics_check(const char *text, const struct scene *scene,
         st = status_fail(why, STATUS_UNSUPPORTED, "of other physics:%s, not%s", line[0],
                          line[1]);
     }
-    free(wanted);
     return st;
 }
 
@@ -275,7 +274,7 @@ static bool is_single(const struct truth *t)
 static enum status put_columns(struct store *store, const struct truth *made,
                                struct message *why)
 {
-    struct arena own = {0};
+    struct arena own SCOPED(arena_clear) = {0};
     double *column = arena_take(&own, (size_t)made->times, sizeof *column);
     enum status st = STATUS_OK;
 
@@ -286,27 +285,22 @@ static enum status put_columns(struct store *store, const struct truth *made,
             st = store_metric(store, columns[c].name, columns[c].unit, column, made->times,
                               why);
     }
-    arena_clear(&own);
     return st;
 }
 
 static enum status put_all(struct store *store, const struct scene *scene,
                            const struct truth *made, struct message *why)
 {
-    char *physics = NULL;
-    enum status st;
+    char *physics SCOPED(scope_free) = NULL;
 
-    TRY(truth_physics(scene, &physics));
+    CALL(truth_physics(scene, &physics));
     for (int n = 0; n < made->times; n++)
-        TRY(store_frame(store, made->time[n], n < made->claimed ? made->xyz[n] : NULL, NULL,
-                        NULL, why));
-    TRY(put_columns(store, made, why));
-    TRY(store_text(store, "note", made->source, why));
-    TRY(store_text(store, "horizon", made->horizon, why));
-    TRY(store_text(store, "physics", physics, why));
-out:
-    free(physics);
-    return st;
+        CALL(store_frame(store, made->time[n], n < made->claimed ? made->xyz[n] : NULL,
+                         NULL, NULL, why));
+    CALL(put_columns(store, made, why));
+    CALL(store_text(store, "note", made->source, why));
+    CALL(store_text(store, "horizon", made->horizon, why));
+    return store_text(store, "physics", physics, why);
 }
 
 /* Reads the run that the field is from; of a closed form the scene alone. */
@@ -336,32 +330,27 @@ enum status truth_file_write(const char *path, const struct truth_runs *runs,
                               foreign = {.name = "foreign",
                                          .title = "somebody else's program",
                                          .source = "bench/truth/truth_third.h"};
-    struct run run = {0};
-    struct store *store = NULL, *done;
-    enum status st;
+    struct run run SCOPED(run_close) = {0};
+    struct store *done;
+    struct store *store SCOPED(store_discard_scope) = NULL;
 
-    TRY(read_run(runs, made, &run, why));
-    TRY(store_create(path,
-                     &(struct store_run){.scene = &run.scene,
-                                         .model = made->closed    ? &none
-                                                  : made->foreign ? &foreign
-                                                                  : run.model,
-                                         .discretization = &run.discretization,
-                                         .single = is_single(made),
-                                         .packed = true},
-                     &store, why));
-    TRY(put_all(store, &run.scene, made, why));
+    CALL(read_run(runs, made, &run, why));
+    CALL(store_create(path,
+                      &(struct store_run){.scene = &run.scene,
+                                          .model = made->closed    ? &none
+                                                   : made->foreign ? &foreign
+                                                                   : run.model,
+                                          .discretization = &run.discretization,
+                                          .single = is_single(made),
+                                          .packed = true},
+                      &store, why));
+    CALL(put_all(store, &run.scene, made, why));
     done = store, store = NULL;
-    TRY(store_close(done, why));
-out:
-    store_discard(store);
-    run_close(&run);
-    return st;
+    return store_close(done, why);
 }
 
 static enum status read_columns(struct store_read *file, struct truth *made)
 {
-    enum status st = STATUS_OK;
     double *column;
     int rows, width;
 
@@ -370,14 +359,13 @@ static enum status read_columns(struct store_read *file, struct truth *made)
         snprintf(name, sizeof name, "metrics/%s", columns[c].name);
         if (columns[c].some && !store_read_has(file, name))
             continue;
-        TRY(store_read_array(file, name, &column, &rows, &width, NULL));
+        CALL(store_read_array(file, name, &column, &rows, &width, NULL));
         if (rows != made->times || width != 1)
-            TRY(STATUS_INPUT);
+            CALL(STATUS_INPUT);
         for (int n = 0; n < rows; n++)
             *cell(made, n, columns[c].column) = column[n];
     }
-out:
-    return st;
+    return STATUS_OK;
 }
 
 /* Reads what room[size] takes of a text; of a file without it `else_say`, if not NULL. */
@@ -393,27 +381,24 @@ static enum status read_text(struct store_read *file, const char *group, const c
 
 static enum status read_made(struct store_read *file, struct truth *made)
 {
-    enum status st;
     double *time;
     char *text;
     int times, width, claimed = store_read_frames(file);
 
-    TRY(store_read_text(file, "/", "physics", &text, NULL));
-    TRY(store_read_array(file, "time", &time, &times, &width, NULL));
-    TRY(claimed > times ? STATUS_INPUT : STATUS_OK);
+    CALL(store_read_text(file, "/", "physics", &text, NULL));
+    CALL(store_read_array(file, "time", &time, &times, &width, NULL));
+    CALL(claimed > times ? STATUS_INPUT : STATUS_OK);
     truth_init(made, times, claimed, time);
     made->physics = arena_print(&made->arena, "%s", text);
-    TRY(read_columns(file, made));
+    CALL(read_columns(file, made));
     for (int n = 0; n < claimed; n++)
-        TRY(store_read_frame(file, n, made->xyz[n], NULL));
-    TRY(read_text(file, "/", "note", NULL, made->source, sizeof made->source));
-    TRY(read_text(file, "/", "horizon", NULL, made->horizon, sizeof made->horizon));
-    TRY(read_text(file, "provenance", "commit", "unknown", made->commit,
-                  sizeof made->commit));
-    TRY(read_text(file, "provenance", "changed_files", "unknown", made->changed,
-                  sizeof made->changed));
-out:
-    return st;
+        CALL(store_read_frame(file, n, made->xyz[n], NULL));
+    CALL(read_text(file, "/", "note", NULL, made->source, sizeof made->source));
+    CALL(read_text(file, "/", "horizon", NULL, made->horizon, sizeof made->horizon));
+    CALL(read_text(file, "provenance", "commit", "unknown", made->commit,
+                   sizeof made->commit));
+    return read_text(file, "provenance", "changed_files", "unknown", made->changed,
+                     sizeof made->changed);
 }
 
 /* Reads a file without the third beside it. */
@@ -535,7 +520,7 @@ enum status truth_file_find(const char *name, const struct scene *scene, struct 
 
 static char *describe(const char *path)
 {
-    struct truth made;
+    struct truth made SCOPED(truth_clear) = {0};
     struct message why;
     char text[sizeof made.source + 64];
 
@@ -543,7 +528,6 @@ static char *describe(const char *path)
         return strdup(why.text);
     snprintf(text, sizeof text, "to %.3g s; %s",
              made.claimed ? made.time[made.claimed - 1] : 0, made.source);
-    truth_clear(&made);
     return strdup(text);
 }
 

@@ -28,19 +28,16 @@ const struct contestant *truth_level_contestant(enum truth_model model)
 static enum status push(const char *path, const struct settings *given,
                         struct settings *settings, struct message *why)
 {
-    struct scene scene = {0};
-    enum status st;
+    struct scene scene SCOPED(scene_clear) = {0};
 
-    TRY(contestant_read_scene(given, path, &scene, why));
+    CALL(contestant_read_scene(given, path, &scene, why));
     double *g = scene.gravity;
     const double mean = (g[0] * g[0] + g[1] * g[1] + g[2] * g[2]) / 3;
     const double by = TRUTH_PERTURBATION * sqrt(mean > 0 ? mean : EARTH * EARTH / 3);
     for (int i = 0; i < 3; i++)
         g[i] += by;
     settings_numbers(settings, "gravity", 3, g);
-    scene_clear(&scene);
-out:
-    return st;
+    return STATUS_OK;
 }
 
 /* Adds the contestant's settings last: nobody's --set makes it another one. */
@@ -102,10 +99,9 @@ static enum status read_level(const struct truth_runs *runs,
                               struct run *run, char key[CASE_KEY], struct message *why)
 {
     char name[PATH];
-    enum status st;
 
-    TRY(truth_level_settings(runs, level, &c->settings, why));
-    TRY(run_read(run, c, why));
+    CALL(truth_level_settings(runs, level, &c->settings, why));
+    CALL(run_read(run, c, why));
     case_key(c, &run->scene, case_program(false), key);
     run->scene.end = runs->time[runs->times - 1];
     c->until = runs->until;
@@ -114,8 +110,7 @@ static enum status read_level(const struct truth_runs *runs,
              level->side, lround(1e6 * level->step), level->perturbed ? "_perturbed" : "");
     c->keep = (struct run_keep){.times = runs->times, .time = runs->time, .made_for = key};
     case_file(c, runs->folder, name);
-out:
-    return st;
+    return STATUS_OK;
 }
 
 enum status truth_level_find(const struct truth_runs *runs, const struct truth_level *level,

@@ -315,17 +315,15 @@ static enum status add_run(struct maker *k, enum truth_model model, struct messa
     struct truth_family *f = &k->family[model];
     struct truth_level *level = &f->level[f->count];
     char text[TRUTH_BAR_LEVEL];
-    enum status st;
 
     truth_plan_rung(k->scene, k->runs->frame, f->begun + f->count, level);
     level->model = model;
     truth_bar_level(level, false, text);
     if (k->runs->say && deadline_left(k->runs->until) > 0)
         fprintf(k->runs->say, "truth: %s\n", text);
-    TRY(truth_level_find(k->runs, level, &f->run[f->count], why));
+    CALL(truth_level_find(k->runs, level, &f->run[f->count], why));
     k->spent += seconds_of(&f->run[f->count++]);
-out:
-    return st;
+    return STATUS_OK;
 }
 
 /* The last rung that may be too coarse to live: 21 points a side of most scenes. */
@@ -472,17 +470,15 @@ static enum status look_again(struct maker *k, struct truth *made, struct truth_
                               struct message *why)
 {
     const struct truth_family *f = NULL;
-    enum status st = STATUS_OK;
     int run = 0;
 
     *o = look(k, made);
     while (o->blunt && find_near(k, made, o->lost, &f, &run) &&
            k->spent + seconds_of(&f->run[run]) <= k->wish->seconds) {
-        TRY(push(k, f, run, why));
+        CALL(push(k, f, run, why));
         *o = look(k, made);
     }
-out:
-    return st;
+    return STATUS_OK;
 }
 
 /* Makes runs until there is an answer. */

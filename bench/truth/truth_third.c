@@ -48,32 +48,28 @@ static void add_frame(struct run_result *r, double t, const double *xyz)
 
 static enum status read_net(const char *path, struct run_result *r, struct message *why)
 {
-    struct frames *f = NULL;
+    struct frames *f SCOPED(frames_close_scope) = NULL;
     const double *xyz;
     double t;
-    enum status st;
 
-    TRY(frames_open(1, &path, &(struct frames_look){0}, &f, why));
-    TRY(check_net(f, why));
+    CALL(frames_open(1, &path, &(struct frames_look){0}, &f, why));
+    CALL(check_net(f, why));
     for (;;) {
-        TRY(frames_next(f, &t, &xyz, why));
+        CALL(frames_next(f, &t, &xyz, why));
         if (!xyz)
             break;
         add_frame(r, t, xyz);
     }
-out:
-    frames_close(f);
-    return st;
+    return STATUS_OK;
 }
 
 /* Reads the first three files N.csv, from coarse to fine, as the folder's numbers are. */
 static enum status read_nets(const char *folder, struct truth_family *f,
                              struct message *why)
 {
-    struct frames_folder files = {0};
-    enum status st;
+    struct frames_folder files SCOPED(frames_folder_clear) = {0};
 
-    TRY(frames_folder_read(folder, &files, why));
+    CALL(frames_folder_read(folder, &files, why));
     for (int n = 0; n < files.count && f->count < NETS; n++) {
         char *end;
         const long elements = strtol(files.path[n] + strlen(folder) + 1, &end, 10);
@@ -81,15 +77,13 @@ static enum status read_nets(const char *folder, struct truth_family *f,
             continue;
         f->level[f->count] =
             (struct truth_level){.degree = DEGREE, .side = (int)elements + DEGREE};
-        TRY(read_net(files.path[n], &f->run[f->count++], why));
+        CALL(read_net(files.path[n], &f->run[f->count++], why));
     }
     if (f->count < NETS)
-        TRY(status_fail(why, STATUS_INPUT,
-                        "%s: has %d of three nets of frames, N.csv of N elements", folder,
-                        f->count));
-out:
-    frames_folder_clear(&files);
-    return st;
+        return status_fail(why, STATUS_INPUT,
+                           "%s: has %d of three nets of frames, N.csv of N elements",
+                           folder, f->count);
+    return STATUS_OK;
 }
 
 /* Returns how many times all nets begin with: one may have died, or not have come further.

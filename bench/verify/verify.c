@@ -98,26 +98,22 @@ enum status verify_file_write(const char *command, const struct verify_check *ch
                               const struct verify_sheet *sheet, const char *folder,
                               struct message *why)
 {
-    enum status st;
     struct output *file = NULL;
     struct provenance provenance;
-    struct dataset *t = dataset_create(COLUMNS, columns, NULL);
     char path[PATH];
 
     snprintf(path, PATH, "%s/%s.csv", folder, check->item.name);
-    TRY(output_create_in(NULL, path, &file, why));
+    CALL(output_create_in(NULL, path, &file, why));
     provenance_collect(&provenance);
     output_print(file, "# clothbench %s %s\n", command, check->item.name);
     for (int n = 0; n < provenance.count; n++)
         output_print(file, "# %s: %s\n", provenance.entry[n].key,
                      provenance.entry[n].value);
+    struct dataset *t = dataset_create(COLUMNS, columns, NULL);
     for (int n = 0; n < sheet->count; n++)
         add_row(t, check, &sheet->rows[n]);
     printer_table(&(struct printer){TABLE_CSV, output_stream(file)}, t, NULL, why);
     return output_close(&file, why);
-out:
-    dataset_destroy(t);
-    return st;
 }
 
 /* Reads a row; false if its verdict is none. */
@@ -134,12 +130,12 @@ static bool take_row(const struct csv_table *t, int n, struct verify_row *row)
 
 static bool is_ours(const struct csv *csv)
 {
-    struct dataset *t = dataset_create(COLUMNS, columns, NULL);
+    struct dataset *t SCOPED(dataset_destroy_scope) =
+        dataset_create(COLUMNS, columns, NULL);
     bool ours = csv->count == 1 && csv->table->columns == COLUMNS;
 
     for (int n = 0; ours && n < COLUMNS; n++)
         ours = dataset_find(t, csv->table->cell[n]) == n;
-    dataset_destroy(t);
     return ours;
 }
 
@@ -234,11 +230,10 @@ static enum status choose(struct job *job, const struct command_line *line,
 static enum status prepare(struct job *job, const struct command_line *line,
                            struct message *why)
 {
-    enum status st;
     const char *from;
 
     job->folder = job->set->folder;
-    TRY(command_folder(line, &job->folder, &from, why));
+    CALL(command_folder(line, &job->folder, &from, why));
     job->read_only = from;
     job->models = command_value(line, "--models");
     job->quick = command_given(line, "--quick");
@@ -246,13 +241,12 @@ static enum status prepare(struct job *job, const struct command_line *line,
         return status_fail(why, STATUS_INPUT,
                            "--models and --quick are for a new run, not for --from");
     if (job->set->apart)
-        TRY(command_integer(line, "--jobs", 1, 1024, &job->slots, why));
-    TRY(contestant_check(job->models, why));
-    TRY(choose(job, line, why));
+        CALL(command_integer(line, "--jobs", 1, 1024, &job->slots, why));
+    CALL(contestant_check(job->models, why));
+    CALL(choose(job, line, why));
     if (!job->read_only)
-        TRY(folder_make(job->folder, why));
-out:
-    return st;
+        CALL(folder_make(job->folder, why));
+    return STATUS_OK;
 }
 
 /* Writes the rows of a check that was run, unless something failed. */
@@ -456,7 +450,6 @@ static enum status print_summary(const struct job *job, struct message *why)
  * rows in one table. */
 static enum status print(const struct job *job, struct message *why)
 {
-    enum status st = STATUS_OK;
     const bool data = printer_is_data(job->printer);
     struct dataset *t = data ? dataset_create(COLUMNS, columns, NULL) : NULL;
     char caption[512];
@@ -479,11 +472,9 @@ static enum status print(const struct job *job, struct message *why)
         add_notes(t, &job->sheet[s], offsetof(struct verify_row, note), "%s: %s.");
         add_notes(t, &job->sheet[s], offsetof(struct verify_row, changed),
                   "%s, claimed before a first result: %s.");
-        TRY(printer_table(job->printer, t, NULL, why));
+        CALL(printer_table(job->printer, t, NULL, why));
     }
-    st = data ? printer_table(job->printer, t, NULL, why) : print_summary(job, why);
-out:
-    return st;
+    return data ? printer_table(job->printer, t, NULL, why) : print_summary(job, why);
 }
 
 /* Writes the sentence of a command that found claims not met. */

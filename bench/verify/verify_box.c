@@ -29,15 +29,14 @@ static enum status line_init(struct arena *arena, struct line *line, int degree,
     const int n = points ? points : 1;
     double x[GAUSS_MAX], w[GAUSS_MAX], N[2 * BSPLINE_MAX_ORDER];
     double *room = arena_take(arena, 3 * (size_t)(n * n), sizeof *room);
-    struct bspline b = {0};
-    enum status st;
+    struct bspline b SCOPED(bspline_clear) = {0};
 
     *line = (struct line){n, 1, {room, room + n * n, room + 2 * n * n}};
     if (!points) {
         *room = size;
         return STATUS_OK;
     }
-    TRY(bspline_init_uniform(&b, degree, points, why));
+    CALL(bspline_init_uniform(&b, degree, points, why));
     gauss_rule(degree + 3, x, w);
     for (int k = degree; k < n; k++) {
         const double edge = b.U[k + 1] - b.U[k];
@@ -46,9 +45,7 @@ static enum status line_init(struct arena *arena, struct line *line, int degree,
             add_point(line, &b, k, N, edge * w[q], size);
         }
     }
-out:
-    bspline_clear(&b);
-    return st;
+    return STATUS_OK;
 }
 
 /* Returns int N_a,i N_b,j dV; for i = j = 3 int N_a N_b dV. */
@@ -79,18 +76,15 @@ static double entry(const struct verify_box *box, bool mass, const struct line l
 enum status verify_box_matrix(const struct verify_box *box, bool mass, double *full,
                               struct message *why)
 {
-    enum status st = STATUS_OK;
     struct line line[3];
-    struct arena own = {0};
+    struct arena own SCOPED(arena_clear) = {0};
 
     for (int d = 0; d < 3; d++)
-        TRY(line_init(&own, &line[d], box->degree[d], box->points[d], box->size[d], why));
+        CALL(line_init(&own, &line[d], box->degree[d], box->points[d], box->size[d], why));
     line[1].below = line[2].n, line[0].below = line[1].n * line[2].n;
     const int rows = 3 * line[0].n * line[0].below;
     for (int r = 0; r < rows; r++)
         for (int c = 0; c < rows; c++)
             *full++ = entry(box, mass, line, r / 3, c / 3, r % 3, c % 3);
-out:
-    arena_clear(&own);
-    return st;
+    return STATUS_OK;
 }

@@ -296,7 +296,7 @@ void verify_sheet_clear(struct verify_sheet *sheet)
 
 void verify_trial_set(struct verify_trial *t, const char *settings, ...)
 {
-    struct arena own = {0};
+    struct arena own SCOPED(arena_clear) = {0};
     va_list arguments;
     char *rest = NULL;
 
@@ -305,7 +305,6 @@ void verify_trial_set(struct verify_trial *t, const char *settings, ...)
     va_end(arguments);
     for (char *one = strtok_r(text, ";", &rest); one; one = strtok_r(NULL, ";", &rest))
         settings_set(&t->settings, one + strspn(one, " "));
-    arena_clear(&own);
 }
 
 /* Tells how a run ended: a refusal and a death to the row, other failures to the sheet. */
@@ -580,7 +579,7 @@ bool verify_trial_refine(const struct verify_subject *subject,
                          const struct verify_trial_refine *r, const char *quantity)
 {
     const size_t size = 3 * (size_t)r->times * (size_t)r->n;
-    struct arena own = {0};
+    struct arena own SCOPED(arena_clear) = {0};
     double *room = arena_take(&own, 3 * size, sizeof *room);
     double *const field[] = {room, room + size, room + 2 * size};
     struct verify_subject unclaimed = *subject;
@@ -602,7 +601,6 @@ bool verify_trial_refine(const struct verify_subject *subject,
                                2e3 * r->step, 1e3 * r->step);
         refine_step(&unclaimed, r, row, field);
     }
-    arena_clear(&own);
     return lived;
 }
 

@@ -95,7 +95,6 @@ static enum status give_needles(struct scene *s, int count, struct message *why)
     double vertex[ROUND_MOST + 3][3];
     int triangle[2 * ROUND_MOST + 1][3];
     struct scene_obstacle body = {.kind = OBSTACLE_MESH, .scale = 1};
-    enum status st;
 
     for (int n = 0; n < round; n++) {
         const double angle = turn * pow((double)n / round, 3);
@@ -110,13 +109,11 @@ static enum status give_needles(struct scene *s, int count, struct message *why)
         vertex[round + n][2] = -below - height * (n == 1 ? 2 : n / 2);
     }
     memcpy(triangle[2 * round], (int[]){round, round + 1, round + 2}, sizeof *triangle);
-    TRY(contact_mesh_make(round + 3, (const double(*)[3])vertex, 2 * round + (count < 0),
-                          (const int(*)[3])triangle, &body.mesh, why));
-    TRY(scene_add_obstacle(s, &body));
-    st = contact_rest_refuse(
+    CALL(contact_mesh_make(round + 3, (const double(*)[3])vertex, 2 * round + (count < 0),
+                           (const int(*)[3])triangle, &body.mesh, why));
+    CALL(scene_add_obstacle(s, &body));
+    return contact_rest_refuse(
         s, &(struct discretization){.kinematics = KINEMATICS_NONLINEAR}, why);
-out:
-    return st;
 }
 
 /* Gives a mesh whose triangles all meet in the middle of the sheet, as a file. */
@@ -150,21 +147,19 @@ static enum status read_run(const struct judged *r, struct run *run, struct mess
 {
     const struct stress_case *c = r->c;
     const struct verify_subject *s = r->subject;
-    struct settings settings = {0};
-    enum status st;
+    struct settings settings SCOPED(settings_clear) = {0};
+    enum status st = STATUS_OK;
 
     settings_list(&settings, STRESS_SETTINGS, c->physics);
     contestant_points(s->contestant, s->along[0], s->across[0], &settings);
     settings_list(&settings, STRESS_SETTINGS, c->numerics);
-    TRY(run_read(run, &(struct case_plan){stress_scene, s->contestant, settings}, why));
+    CALL(run_read(run, &(struct case_plan){stress_scene, s->contestant, settings}, why));
     if (c->gamma > 0)
         run->scene.young = derived_key_young("gamma", c->gamma, &run->scene);
     if (c->weight_ratio > 0)
-        TRY(give_weights(&run->discretization, c->weight_ratio));
+        CALL(give_weights(&run->discretization, c->weight_ratio));
     if (c->needles)
         st = give_needles(&run->scene, c->needles, why);
-out:
-    settings_clear(&settings);
     return st;
 }
 
@@ -420,33 +415,28 @@ static enum status find_truth(const struct verify_sheet *sheet, bool made,
     static const struct truth_wish wish = {.error = 0.005, .seconds = 30, .shell = true};
     static const double time[] = {0.1, 0.2, 0.3};
     const int times = sizeof time / sizeof *time;
-    char folder[4096], *path = NULL;
-    struct settings physics = {0};
-    enum status st;
+    char folder[4096];
+    char *path SCOPED(scope_free) = NULL;
+    struct settings physics SCOPED(settings_clear) = {0};
 
-    TRY(scene_file_find(stress_scene, &path, why));
+    CALL(scene_file_find(stress_scene, &path, why));
     settings_list(&physics, STRESS_SETTINGS, case_of(sheet)->physics);
     snprintf(folder, sizeof folder, "%s/%s.truth", sheet->folder, sheet->check->item.name);
     if (made)
-        TRY(folder_make(folder, why));
-    st = made ? truth_find_or_make(path, &physics, times, time, folder, &wish, truth, why)
-              : truth_find(path, &physics, times, time, folder, truth, why);
-out:
-    free(path);
-    settings_clear(&physics);
-    return st;
+        CALL(folder_make(folder, why));
+    return made ? truth_find_or_make(path, &physics, times, time, folder, &wish, truth, why)
+                : truth_find(path, &physics, times, time, folder, truth, why);
 }
 
 /* Makes the truth of a case before its runs, which without one say that there is none. */
 static void make_truth(struct verify_sheet *sheet)
 {
-    struct truth *truth = NULL;
+    struct truth *truth SCOPED(truth_destroy_scope) = NULL;
     struct message said = {""};
     const enum status st = find_truth(sheet, true, &truth, &said);
 
     if (st != STATUS_OK)
         fprintf(stderr, "stress %s: no truth: %s\n", sheet->check->item.name, said.text);
-    truth_destroy(truth);
 }
 
 static enum status begin_shell(struct judged *r)

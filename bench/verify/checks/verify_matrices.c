@@ -68,7 +68,7 @@ static void add_box(struct verify_subject *s)
 {
     const bool mass = s->at == 1;
     int rows;
-    struct verify_trial t =
+    struct verify_trial t SCOPED(verify_trial_close) =
         verify_trial_of(s, "cantilever", "%s of a box, entries", mass ? "M" : "K");
 
     verify_trial_set(&t, BOX);
@@ -78,7 +78,6 @@ static void add_box(struct verify_subject *s)
                        "its stiffness differs from the solid's on purpose");
     else if (ours)
         judge_box(&t, mass, rows, ours);
-    verify_trial_close(&t);
 }
 
 /* Counts the motions without energy. */
@@ -89,7 +88,7 @@ static void add_zero_modes(struct verify_subject *s)
 
     /* a tenth of six allows not one more or less */
     verify_subject_claim(s, 0.1, "three shifts, three turns");
-    struct verify_trial t =
+    struct verify_trial t SCOPED(verify_trial_close) =
         verify_trial_of(s, scene, "eigenvalues of K that vanish, %s", scene);
     settings_number(&t.settings, "sheet.thickness", THICKNESS);
     double *K = verify_trial_matrix(&t, false, &rows);
@@ -102,7 +101,6 @@ static void add_zero_modes(struct verify_subject *s)
             zeros += fabs(lambda[n]) < ZERO * lambda[rows - 1];
         verify_row_judge(t.row, zeros, 6, 0);
     }
-    verify_trial_close(&t);
 }
 
 /* --- A sheet whose corners alone are turned: all of it follows. From a third of a turn on

@@ -7,13 +7,12 @@ enum { SIDE = FREEFEM_SIDE, POINTS = VERIFY_PLATES_POINTS };
 bool verify_plates_read(struct verify_sheet *sheet, const char *name,
                         struct freefem_field *f)
 {
-    char *path = NULL;
+    char *path SCOPED(scope_free) = NULL;
     const bool there =
         verify_sheet_table(sheet, name) &&
         verify_sheet_holds(sheet, reference_path(name, &path, &sheet->why)) &&
         verify_sheet_holds(sheet, freefem_read(path, f, &sheet->why));
 
-    free(path);
     return there;
 }
 

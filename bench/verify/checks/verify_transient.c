@@ -66,16 +66,16 @@ struct transient {
 static enum status transient_init(struct arena *arena, struct transient *t,
                                   struct message *why)
 {
-    enum status st;
     char *path;
-    struct scene scene = {0};
+    struct scene scene SCOPED(scene_clear) = {0};
     double *plate[TIMES];
 
-    TRY(scene_file_find(SCENE, &path, why));
-    TRY(contestant_read_scene(&(struct settings){0}, arena_keep(arena, path), &scene, why));
+    CALL(scene_file_find(SCENE, &path, why));
+    CALL(
+        contestant_read_scene(&(struct settings){0}, arena_keep(arena, path), &scene, why));
     for (int n = 0; n < TIMES; n++)
         plate[n] = t->truth + 3 * GRID_POINTS * n;
-    TRY(kirchhoff_field(&scene, KIRCHHOFF_TERMS, TIMES, times, plate, why));
+    CALL(kirchhoff_field(&scene, KIRCHHOFF_TERMS, TIMES, times, plate, why));
     const double *rest = arena_keep(arena, metric_rest_field(&scene));
     for (int n = 0; n < GRID_POINTS; n++)
         grid_point(n, t->uvw + 3 * n);
@@ -84,9 +84,7 @@ static enum status transient_init(struct arena *arena, struct transient *t,
             plate[n][i] = rest[i] + SMALL * (plate[n][i] - rest[i]);
         t->fallen[n] = metric_rmse(plate[n], rest);
     }
-out:
-    scene_clear(&scene);
-    return st;
+    return STATUS_OK;
 }
 
 /* Returns the rms error over the grid, of the truth's rms deflection, at the worst time. */

@@ -44,19 +44,14 @@ struct stored {
  * one of other physics. */
 static enum status find_truth(struct stored *s, struct message *why)
 {
-    char *path = NULL;
-    struct scene scene = {0};
-    enum status st;
+    char *path SCOPED(scope_free) = NULL;
+    struct scene scene SCOPED(scene_clear) = {0};
 
-    TRY(scene_file_find(s->scene, &path, why));
-    TRY(truth_plan_scene(path, &s->settings, &scene, why));
+    CALL(scene_file_find(s->scene, &path, why));
+    CALL(truth_plan_scene(path, &s->settings, &scene, why));
     s->length = scene.length;
     s->several = scene.sheets > 1;
-    TRY(truth_file_find(s->scene, &scene, &s->truth, why));
-out:
-    scene_clear(&scene);
-    free(path);
-    return st;
+    return truth_file_find(s->scene, &scene, &s->truth, why);
 }
 
 /* Adds the rows of a scene. A truth of other physics judges nobody; a quick run leaves

@@ -17,6 +17,8 @@
 #include "models/reader/named_file.h"
 #include "models/reader/schema.h"
 
+SCOPE_OF(yaml_tree_free, struct yaml_tree)
+
 /* Returns a scene by the name of its folder; NULL: it is not there. */
 static const struct protocol_scene *protocol_find(const struct protocol *p,
                                                   const char *name)
@@ -55,155 +57,6 @@ static const struct score_time *protocol_worst(const struct protocol_run *run)
     return worst;
 }
 
-/* --- the stored runs of our own contestants, which engines are compared with --- */
-
-#define ERRORS "rmse_over_length_"
-
-/* Times are the same to within this [s]. */
-#define SAME_TIME 1e-6
-
-/* Error over the length below which the engine has none: frames may have six digits. */
-static const double NONE = 1e-5;
-
-/* The files, without their ending; all of them may have runs on a scene. */
-static const char *const tables[PROTOCOL_TABLES] = {"compare_protocol", "compare_rest",
-                                                    "compare_scenes"};
-
-static const struct named_file_kind own_tables = {
-    .what = "table of contestants",
-    .ending = ".csv",
-    .environment = "CLOTHBENCH_CONTESTANTS",
-    .from_program = CONTESTANTS_FROM_PROGRAM,
-    .in_source = CONTESTANTS_IN_SOURCE,
-};
-
-/* Returns the next table of a scene's runs, after `last`, NULL for the first; NULL: none.
- */
-static const struct csv_table *next_table(const struct protocol *p, const char *scene,
-                                          const struct csv_table *last)
-{
-    char caption[160];
-    bool begun = !last;
-
-    snprintf(caption, sizeof caption, "Every run on %.100s (", scene);
-    for (const struct csv *csv = p->contestants; csv < p->contestants + PROTOCOL_TABLES;
-         csv++)
-        for (int n = 0; n < csv->count; n++) {
-            if (begun && strstr(csv->table[n].caption, caption))
-                return &csv->table[n];
-            begun = begun || last == &csv->table[n];
-        }
-    return NULL;
-}
-
-/* Returns the largest error of a row of the table, or of the engine where the row is -1, at
- * the times that both have, the last of which is *until where it is later; NaN: there are
- * none, or the row has not all of them. */
-static double error_of(const struct csv_table *t, int row, const struct protocol_run *run,
-                       double *until)
-{
-    double worst = -1, time;
-
-    for (int n = 0; n < t->columns; n++)
-        for (int m = 0; sscanf(t->cell[n], ERRORS "%lf_s", &time) == 1 && m < run->times;
-             m++)
-            if (fabs(run->row[m].time - time) < SAME_TIME) {
-                const double error = row < 0 ? run->row[m].error : csv_number(t, row, n);
-                worst = error > worst ? error : error >= 0 ? worst : NAN;
-                *until = fmax(*until, time);
-            }
-    return worst >= 0 ? worst : NAN;
-}
-
-/* Puts a run in the place of the same contestant's if it is better, or behind all. */
-static void enter(struct protocol_rival *rival, int *count, const struct protocol_rival *r)
-{
-    int n = 1; /* behind the engine */
-
-    while (n < *count && strcmp(rival[n].title, r->title) != 0)
-        n++;
-    if (n == *count)
-        rival[(*count)++] = *r;
-    else if (r->error < rival[n].error)
-        rival[n] = *r;
-}
-
-static double rank(const struct protocol_rival *r)
-{
-    return r->own && r->error < NONE ? -1 : r->error;
-}
-
-static int compare_rivals(const void *a, const void *b)
-{
-    const double left = rank(a), right = rank(b);
-
-    return (left > right) - (left < right);
-}
-
-/* Reads the stored runs of our own contestants, if there are any. STATUS_MEMORY, or
- * STATUS_INPUT with a sentence: their table is damaged. */
-static enum status read_contestants(struct csv contestants[PROTOCOL_TABLES],
-                                    struct message *why)
-{
-    enum status st = STATUS_OK;
-
-    for (int k = 0; k < PROTOCOL_TABLES && st == STATUS_OK; k++) {
-        char *path = NULL;
-        st = named_file_find(&own_tables, tables[k], &path, NULL);
-        contestants[k] = (struct csv){0};
-        if (st == STATUS_OK)
-            st = csv_read(path, &contestants[k], why);
-        else if (st != STATUS_MEMORY) /* none is installed */
-            st = STATUS_OK;
-        free(path);
-    }
-    return st;
-}
-
-/* Enters the runs of a table that have no more points than the engine's; the room is for
- * all. */
-static void enter_table(const struct csv_table *t, const struct protocol_run *run,
-                        struct protocol_rival *rivals, int *count)
-{
-    struct protocol_rival r = {0};
-
-    for (int row = 0; row < t->rows; row++) {
-        const double side = csv_number_of(t, row, "side"),
-                     across = csv_number_of(t, row, "across");
-        r.error = error_of(t, row, run, &r.until);
-        if (!(side * across <= (double)run->net[0] * run->net[1]) || isnan(r.error))
-            continue;
-        r.net[0] = (int)side, r.net[1] = (int)across;
-        snprintf(r.title, sizeof r.title, "%s", csv_words_of(t, row, "title"));
-        enter(rivals, count, &r);
-    }
-}
-
-/* Lists, best first, the engine's finest run and the best of each contestant with no more
- * points, the engine first where its error is below what six digits show; *count is 0 where
- * none is stored. */
-static struct protocol_rival *list_rivals(struct arena *arena, const struct protocol *p,
-                                          const struct protocol_scene *scene, int *count)
-{
-    const struct protocol_run *run = protocol_finest(scene);
-    const struct csv_table *first = scene->own ? NULL : next_table(p, scene->name, NULL);
-    struct protocol_rival own = {.own = true, .net = {run->net[0], run->net[1]}};
-    size_t rows = 1;
-
-    *count = 0;
-    if (!first || isnan(own.error = error_of(first, -1, run, &own.until)))
-        return NULL;
-    for (const struct csv_table *t = first; t; t = next_table(p, scene->name, t))
-        rows += (size_t)t->rows;
-    struct protocol_rival *rivals = arena_take(arena, rows, sizeof *rivals);
-    snprintf(own.title, sizeof own.title, "%s", p->name ? p->name : p->folder);
-    rivals[(*count)++] = own;
-    for (const struct csv_table *t = first; t; t = next_table(p, scene->name, t))
-        enter_table(t, run, rivals, count);
-    qsort(rivals, (size_t)*count, sizeof *rivals, compare_rivals);
-    return rivals;
-}
-
 enum { PATH = 4096 };
 
 const char *const protocol_first[] = {"free_fall",  "hanging",   "rest_small",
@@ -229,22 +82,18 @@ static const struct schema_key keys[] = {
 static enum status read_engine(struct protocol *p, struct message *why)
 {
     static const struct named_file_kind kind = {.what = "engine", .ending = ".yaml"};
-    struct yaml_tree *tree = NULL;
-    char path[PATH], *text = NULL;
+    struct yaml_tree *tree SCOPED(yaml_tree_free_scope) = NULL;
+    char path[PATH];
+    char *text SCOPED(scope_free) = NULL;
     struct stat about;
     size_t size;
-    enum status st = STATUS_OK;
 
     snprintf(path, sizeof path, "%s/engine.yaml", p->folder);
     if (stat(path, &about))
         return STATUS_OK;
-    TRY(named_file_read(&kind, path, &text, &size, why));
-    TRY(yaml_tree_parse(path, false, text, size, &tree, why));
-    TRY(schema_read(keys, tree, "engine.yaml", p, why));
-out:
-    yaml_tree_free(tree);
-    free(text);
-    return st;
+    CALL(named_file_read(&kind, path, &text, &size, why));
+    CALL(yaml_tree_parse(path, false, text, size, &tree, why));
+    return schema_read(keys, tree, "engine.yaml", p, why);
 }
 
 /* --- a run --- */
@@ -302,21 +151,18 @@ static enum status read_run(struct arena *arena, const char *path,
                             struct protocol_scene *to, struct message *why)
 {
     struct protocol_run *run = &to->run[to->runs++];
-    struct score s = {.frames = 0};
-    enum status st;
+    struct score s SCOPED(score_clear) = {.frames = 0};
 
     run->file = arena_print(arena, "%s/%s", to->name, base_of(path));
     parse_name(base_of(path), run);
     struct score_look own = *look;
     own.frames.dt = run->dt > 0 ? run->dt : look->frames.dt;
-    TRY(score_read(truth, 1, &path, &own, &s, why));
+    CALL(score_read(truth, 1, &path, &own, &s, why));
     const int side = (int)lround(sqrt(s.net.vertices));
     run->net[0] = s.net.points[0] ? s.net.points[0] : s.net.columns ? s.net.columns : side;
     run->net[1] = s.net.points[1] ? s.net.points[1] : s.net.columns ? s.net.rows : side;
     keep(arena, &s, run);
-out:
-    score_clear(&s);
-    return st;
+    return STATUS_OK;
 }
 
 /* --- a scene --- */
@@ -338,38 +184,35 @@ static enum status read_scene(struct arena *arena, const char *path,
                               const struct score_look *look, struct protocol_scene *to,
                               struct message *why)
 {
-    struct frames_folder folder = {0};
-    struct score_truth truth = {0};
+    struct frames_folder folder SCOPED(frames_folder_clear) = {0};
+    struct score_truth truth SCOPED(score_truth_clear) = {0};
     char own[PATH];
-    enum status st;
 
     to->name = arena_print(arena, "%s", base_of(path));
     snprintf(own, sizeof own, "%s/scene.yaml", path);
     struct stat about;
     to->own = !stat(own, &about);
-    TRY(frames_folder_read(path, &folder, why));
+    CALL(frames_folder_read(path, &folder, why));
     frames_folder_keep(&folder, may_be_run);
     if (!folder.count)
-        TRY(status_fail(why, STATUS_INPUT,
-                        "%s: has no frames in it; a file a net, %s/21x21.csv, would be "
-                        "right",
-                        path, to->name));
-    TRY(score_truth_read(to->own ? own : to->name, &truth, why));
+        return status_fail(why, STATUS_INPUT,
+                           "%s: has no frames in it; a file a net, %s/21x21.csv, would be "
+                           "right",
+                           path, to->name);
+    CALL(score_truth_read(to->own ? own : to->name, &truth, why));
     to->length = truth.scene.length;
     to->run = arena_take(arena, (size_t)folder.count, sizeof *to->run);
     for (int n = 0; n < folder.count; n++)
-        TRY(read_run(arena, folder.path[n], &truth, look, to, why));
+        CALL(read_run(arena, folder.path[n], &truth, look, to, why));
     qsort(to->run, (size_t)to->runs, sizeof *to->run, compare_runs);
     for (int n = 1; n < to->runs; n++)
         if (!compare_runs(&to->run[n - 1], &to->run[n]))
-            TRY(status_fail(why, STATUS_INPUT,
-                            "%s: %s and %s are the same run; another number, NAME-2, for a "
-                            "repeat would be right",
-                            path, base_of(to->run[n - 1].file), base_of(to->run[n].file)));
-out:
-    frames_folder_clear(&folder);
-    score_truth_clear(&truth);
-    return st;
+            return status_fail(
+                why, STATUS_INPUT,
+                "%s: %s and %s are the same run; another number, NAME-2, for a "
+                "repeat would be right",
+                path, base_of(to->run[n - 1].file), base_of(to->run[n].file));
+    return STATUS_OK;
 }
 
 /* Returns the place of a scene among those to begin with; behind them: their number. */
@@ -806,7 +649,7 @@ static void tell_repeats(struct protocol *p)
              "No run was repeated: whether two runs agree is not known.");
 }
 
-/* --- contact and place --- */
+/* --- contact --- */
 
 static void tell_contact(struct protocol *p)
 {
@@ -835,33 +678,8 @@ static void tell_contact(struct protocol *p)
              "In none of %d files does the sheet pass through itself or a body.", files);
 }
 
-static void tell_place(struct protocol *p, const struct protocol_scene *scene, bool *any)
-{
-    struct arena own = {0};
-    int count, before = 0;
-    char word[40], best[160] = "";
-    const struct protocol_rival *rival = list_rivals(&own, p, scene, &count);
-
-    while (before < count && !rival[before].own)
-        before++;
-    if (before)
-        snprintf(best, sizeof best, " The best of them is %s with %.3g %%.", rival->title,
-                 100 * rival->error);
-    snprintf(word, sizeof word, "place %d of %d", before + 1, count);
-    if (count > 1)
-        tell(p, PROTOCOL_PLACE, PROTOCOL_NEUTRAL, word,
-             "On %s %d of %d contestants come nearer to the truth with as many points or "
-             "fewer; its own error is %.3g %% up to %.4g s, the last time that all have.%s",
-             scene->name, before, count - 1, 100 * rival[before].error, rival[before].until,
-             best);
-    *any = *any || count > 1;
-    arena_clear(&own);
-}
-
 static void judge(struct protocol *p)
 {
-    bool placed = false;
-
     for (int k = 0; k < p->scenes; k++)
         tell_error(p, &p->scene[k]);
     tell_missing(p);
@@ -873,12 +691,6 @@ static void judge(struct protocol *p)
     tell_nets(p);
     tell_repeats(p);
     tell_contact(p);
-    for (int k = 0; k < p->scenes; k++)
-        tell_place(p, &p->scene[k], &placed);
-    if (!placed)
-        tell(p, PROTOCOL_PLACE, PROTOCOL_UNKNOWN, "not known",
-             "Its place among the contestants is not known: the scenes to begin with show "
-             "it, on a net that one of them has, too.");
 }
 
 enum status protocol_read(const char *path, const struct score_look *look,
@@ -897,7 +709,6 @@ enum status protocol_read(const char *path, const struct score_look *look,
                         "would be right",
                         path));
     TRY(read_engine(p, why));
-    TRY(read_contestants(p->contestants, why));
     p->scene = arena_take(&p->arena, (size_t)folder.count, sizeof *p->scene);
     for (int n = 0; n < folder.count; n++)
         TRY(read_scene(&p->arena, folder.path[n], look, &p->scene[p->scenes++], why));
@@ -912,8 +723,6 @@ out:
 
 void protocol_clear(struct protocol *p)
 {
-    for (int k = 0; k < PROTOCOL_TABLES; k++)
-        csv_clear(&p->contestants[k]);
     arena_clear(&p->arena);
     free(p->name);
     free(p->version);
@@ -973,31 +782,6 @@ static struct dataset *errors_of(const struct protocol *p)
     return t;
 }
 
-/* Lists contestants on each scene and the engine among them. */
-static struct dataset *places_of(const struct protocol *p)
-{
-    static const struct dataset_column columns[] = {
-        {"scene"}, {"place"}, {"contestant"}, {"points"}, {"error"}};
-    struct dataset *t =
-        DATASET_OF(columns, "The best run of each contestant with no more points: error "
-                            "over the length at the worst of the same times");
-
-    for (int k = 0; k < p->scenes; k++) {
-        struct arena own = {0};
-        int count;
-        const struct protocol_rival *rival = list_rivals(&own, p, &p->scene[k], &count);
-        for (int n = 0; count > 1 && n < count; n++) {
-            dataset_row(t);
-            dataset_text(t, "%s", p->scene[k].name);
-            dataset_add(t, "%d", n + 1);
-            dataset_text(t, "%s%s", rival[n].own ? "\u2192 " : "", rival[n].title);
-            dataset_add(t, "%dx%d|%.2g", rival[n].net[0], rival[n].net[1], rival[n].error);
-        }
-        arena_clear(&own);
-    }
-    return t;
-}
-
 static struct dataset *said_of(const struct protocol *p)
 {
     static const struct dataset_column columns[] = {{"file"}, {"sentence"}};
@@ -1028,8 +812,7 @@ enum status protocol_tables_write(const char *path, const struct protocol *p,
     fprintf(file, "# clothbench score --protocol | commit %s | %s\n",
             provenance_value(&made, "commit"), provenance_value(&made, "date"));
     struct printer printer = {TABLE_CSV, file};
-    struct dataset *const table[] = {verdicts_of(p), places_of(p), errors_of(p),
-                                     said_of(p)};
+    struct dataset *const table[] = {verdicts_of(p), errors_of(p), said_of(p)};
     for (size_t n = 0; n < sizeof table / sizeof *table; n++) {
         const enum status printed = printer_table(&printer, table[n], NULL, why);
         st = st == STATUS_OK ? printed : st;

@@ -13,7 +13,6 @@
 #ifndef PROTOCOL_H
 #define PROTOCOL_H
 
-#include "models/reader/csv.h"
 #include "bench/score/score_print.h"
 #include "bench/score/score_stiffness.h"
 
@@ -28,8 +27,7 @@
     X(CLAMP, "clamp")                                                                      \
     X(NETS, "finer nets")                                                                  \
     X(REPEATS, "repeated runs")                                                            \
-    X(CONTACT, "contact")                                                                  \
-    X(PLACE, "place")
+    X(CONTACT, "contact")
 
 enum protocol_subject {
 #define PROTOCOL_SUBJECT(code, name) PROTOCOL_##code,
@@ -69,8 +67,6 @@ struct protocol_scene {
     struct protocol_run *run; /* [runs] from coarse to fine, then by repeat              */
 };
 
-enum { PROTOCOL_TABLES = 3 };
-
 struct protocol {
     const char *folder;   /*                                                    borrowed */
     char *name, *version; /* of the engine; NULL: not said                         owned */
@@ -80,7 +76,6 @@ struct protocol {
     int verdicts;
     struct protocol_verdict *verdict; /* [verdicts] what they show, by subject          */
     struct arena arena; /* of all of these                               owned */
-    struct csv contestants[PROTOCOL_TABLES]; /* stored runs of our own; count 0: none */
 };
 
 /* Reads, scores and judges all files of a folder. STATUS_INPUT with a sentence: one of them
@@ -95,16 +90,7 @@ extern const char *const protocol_first[];
 /* Returns the name of a subject: "error", ... */
 const char *protocol_subject_name(enum protocol_subject subject);
 
-/* A run of a contestant, or of the engine. */
-struct protocol_rival {
-    char title[96];
-    int net[2];
-    bool own;     /* the engine's                                                        */
-    double error; /* at the worst of the times that all have, over the length            */
-    double until; /* the last of them [s]                                                */
-};
-
-/* Writes the tables of the page as CSV: verdicts, places, errors, what `score` says of each
+/* Writes the tables of the page as CSV: verdicts, errors, what `score` says of each
  * file; nothing is left of it on failure. STATUS_FILE, STATUS_MEMORY. */
 enum status protocol_tables_write(const char *path, const struct protocol *p,
                                   struct message *why);

@@ -19,36 +19,29 @@ static enum status prepare(struct job *j, const struct command_line *line,
                            struct message *why)
 {
     const char *up = command_value(line, "--up");
-    enum status st;
 
     j->look = (struct score_look){
         .frames.rest = command_value(line, "--rest"), .up = 'z', .scale = 1};
     if (up && (strlen(up) != 1 || !strchr("xyz", *up)))
-        TRY(status_fail(why, STATUS_INPUT, "--up %s: x, y or z would be right", up));
+        return status_fail(why, STATUS_INPUT, "--up %s: x, y or z would be right", up);
     j->look.up = up ? *up : 'z';
-    TRY(command_number(line, "--dt", false, &j->look.frames.dt, why));
-    TRY(command_number(line, "--scale", false, &j->look.scale, why));
-out:
-    return st;
+    CALL(command_number(line, "--dt", false, &j->look.frames.dt, why));
+    return command_number(line, "--scale", false, &j->look.scale, why);
 }
 
 /* Adds the score of a scene to the sheet. */
 static enum status score_one(struct job *j, const char *scene, int count,
                              const char *const *paths, struct message *why)
 {
-    struct score_truth truth;
-    struct score s = {.frames = 0};
+    struct score_truth truth SCOPED(score_truth_clear) = {0};
+    struct score s SCOPED(score_clear) = {.frames = 0};
     struct score_diagnosis d;
-    enum status st;
 
-    TRY(score_truth_read(scene, &truth, why));
-    TRY(score_read(&truth, count, paths, &j->look, &s, why));
+    CALL(score_truth_read(scene, &truth, why));
+    CALL(score_read(&truth, count, paths, &j->look, &s, why));
     score_diagnosis_make(&s, &d);
     score_print_add(&j->sheet, &s, &d);
-out:
-    score_clear(&s);
-    score_truth_clear(&truth);
-    return st;
+    return STATUS_OK;
 }
 
 /* Writes the scene that FOLDER/NAME.csv or the folder FOLDER/NAME is named after. */
@@ -246,8 +239,8 @@ const struct command score_command = {
         "0.01 s apart, and writes DIR/protocol.csv and one page: errors with bars, order "
         "of\n"
         "the step, damping, stiffnesses, the\n"
-        "clamp, whether finer nets converge and to what, whether two runs agree, whether\n"
-        "the sheet passes through itself, and its place among the contestants.\n",
+        "clamp, whether finer nets converge and to what, whether two runs agree, and\n"
+        "whether the sheet passes through itself.\n",
     .examples =
         "score edge_drop frames.csv\n"
         "score edge_drop frames.npz --format json\n"

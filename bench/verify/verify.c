@@ -26,7 +26,7 @@
         X(ring), X(frequencies), X(cantilever), X(lateral), X(postbuckling), X(hanging),   \
         X(pressure), X(pendulum), X(transient), X(energy), X(fall), X(period), X(moving),  \
         X(contact), X(sliding), X(impact), X(stack), X(planes), X(belt), X(stickslip),     \
-        X(fold), X(similarity), X(outside), X(truths)
+        X(fold), X(outside), X(truths)
 
 #define CHECK_NAME(name) verify_##name
 extern const struct verify_check CHECKS(CHECK_NAME);

@@ -141,7 +141,7 @@ static enum status search(struct advise_search *s, struct message *why)
             s->end = ADVISE_BUDGET;
             return STATUS_OK;
         }
-        TRY(st);
+        CALL(st);
         first = c->count;
         const double left = s->wish.budget - (clock_now() - start);
         const double most = most_seconds(s, left);
@@ -156,8 +156,7 @@ static enum status search(struct advise_search *s, struct message *why)
         }
         s->longest *= LONGER;
     }
-out:
-    return st;
+    return STATUS_OK;
 }
 
 /* --- the table --- */
@@ -332,25 +331,22 @@ static enum status say_net(const struct advise_search *s, const struct contest_r
     const struct export_sheet sheet = {
         .scene = scene_of(s),
         .points = {r->at.size[CONTEST_NET], r->at.size[CONTEST_ACROSS]}};
-    struct dataset *t;
-    enum status st = STATUS_OK;
 
     if (who->layers || who->degree != 1)
-        return st;
-    t = export_numbers_table(&sheet);
+        return STATUS_OK;
+    struct dataset *t = export_numbers_table(&sheet);
     if (!printer_is_prose(p)) {
-        st = printer_save(p, t, "advise_net", why);
+        const enum status st = printer_save(p, t, "advise_net", why);
         dataset_destroy(t);
         return st;
     }
-    TRY(printer_table(p, t, "advise_net", why));
+    CALL(printer_table(p, t, "advise_net", why));
     fprintf(
         p->file,
         "This command writes every vertex and spring of it:\n\n    clothbench export %s "
         "--points %d,%d --out DIR\n\n",
         s->job->path, sheet.points[0], sheet.points[1]);
-out:
-    return st;
+    return STATUS_OK;
 }
 
 static void say_answer(const struct advise_search *s, const struct contest_row *best,

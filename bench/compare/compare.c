@@ -521,15 +521,11 @@ static enum status print_limits(const struct contest *c, struct printer *p,
 
 enum status compare_print(const struct contest *c, struct printer *p, struct message *why)
 {
-    enum status st;
-
-    TRY(print_runs(c, p, why));
+    CALL(print_runs(c, p, why));
     if (!c->truth->xyz)
-        return st;
-    TRY(print_targets(c, p, why));
-    TRY(print_limits(c, p, why));
-out:
-    return st;
+        return STATUS_OK;
+    CALL(print_targets(c, p, why));
+    return print_limits(c, p, why);
 }
 
 enum { MOST_SCENES = 16 };

@@ -60,9 +60,7 @@ enum status kept_close(struct kept **kept, struct message *why)
     if (dataset_count(k->sentences))
         st = printer_table(&p, k->sentences, NULL, why), k->sentences = NULL;
     struct output *file SCOPED(output_discard_scope) = end(kept);
-    if (st == STATUS_OK)
-        return output_close(&file, why);
-    return st;
+    return st ? st : output_close(&file, why);
 }
 
 void kept_discard(struct kept **kept)

@@ -180,7 +180,7 @@ static enum status take(const struct measurement_options *o, int count,
             st = STATUS_OK, cases[n].done = true;
             continue;
         }
-        TRY(st);
+        CALL(st);
         cases[n].done = !o->again && is_kept(&j->c);
         if (cases[n].done)
             run_close(&j->run);
@@ -188,8 +188,7 @@ static enum status take(const struct measurement_options *o, int count,
     }
     if (o->taken)
         o->taken->taken += here.taken, o->taken->cases += count;
-out:
-    return st;
+    return STATUS_OK;
 }
 
 /* --- in groups ---------------------------------------------------------------------------

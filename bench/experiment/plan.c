@@ -308,10 +308,10 @@ static enum status fill_range(struct arena *a, struct plan_axis *axis,
 
     CALL(schema_read(RANGE, node, "an axis", &r, why));
     if (r.scale && !(r.from > 0 && r.to > 0))
-        CALL(yaml_tree_refuse(node, why,
-                              "the axis %s goes from %g to %g on a log scale, but both "
-                              "must be above 0",
-                              yaml_tree_quote(axis->name).text, r.from, r.to));
+        return yaml_tree_refuse(node, why,
+                                "the axis %s goes from %g to %g on a log scale, but both "
+                                "must be above 0",
+                                yaml_tree_quote(axis->name).text, r.from, r.to);
     for (int n = 0; n < r.count; n++) {
         const double share = (double)n / (r.count - 1);
         double value =
@@ -368,11 +368,11 @@ static enum status read_axis(struct arena *a, const struct yaml_tree *node,
     axis->name = arena_print(a, "%s", node->key);
     CALL(check_key(axis->name, node, why));
     if (node->kind == YAML_TREE_SCALAR || !node->count || node->count > PLAN_AXIS_MOST)
-        CALL(yaml_tree_refuse(node, why,
-                              "the axis %s is %s, but must be a list of values, a map "
-                              "{from: ..., to: ..., count: ...} or {LABEL: {KEY: VALUE}}",
-                              yaml_tree_quote(axis->name).text,
-                              yaml_tree_describe(node).text));
+        return yaml_tree_refuse(node, why,
+                                "the axis %s is %s, but must be a list of values, a map "
+                                "{from: ..., to: ..., count: ...} or {LABEL: {KEY: VALUE}}",
+                                yaml_tree_quote(axis->name).text,
+                                yaml_tree_describe(node).text);
     st = list                           ? fill_values(a, axis, node, why)
          : yaml_tree_find(node, "from") ? fill_range(a, axis, node, why)
                                         : fill_labels(a, axis, node, why);
@@ -623,7 +623,7 @@ static enum status read_others(const char *name, const char *key, struct arena *
     if (root->kind == YAML_TREE_MAP)
         list = yaml_tree_find(root, key);
     if (!list)
-        CALL(yaml_tree_refuse(root, why, "this plan has no %s", key));
+        return yaml_tree_refuse(root, why, "this plan has no %s", key);
     return rules_read(list, arena, rules, why);
 }
 
@@ -874,9 +874,9 @@ static enum status complete(struct plan_study *study, const struct yaml_tree *ro
     study->times_line = line_of(own_times ? node : root, "times", 0);
     study->time_count = timeless ? -1 : study->time_count;
     if (!study->axis_count)
-        CALL(plan_case_refuse(plan, study->line, why,
-                              "%s has no axes, and the plan has none for it",
-                              yaml_tree_quote(study->name).text));
+        return plan_case_refuse(plan, study->line, why,
+                                "%s has no axes, and the plan has none for it",
+                                yaml_tree_quote(study->name).text);
     if (!study->caption)
         study->caption = study->name;
     return multiply_all(study, plan, why);
@@ -910,7 +910,7 @@ static enum status read_tree(const struct yaml_tree *root, struct plan *plan,
     enum status st = read_table(PLAN, root, "the plan", &r, why);
 
     *plan = r.plan; /* each study reads its own of the rest, and each statement */
-    TRY(st);
+    CALL(st);
     if (strlen(plan->name) > 64 ||
         plan->name[strspn(plan->name, "abcdefghijklmnopqrstuvwxyz0123456789_-")])
         return yaml_tree_refuse(yaml_tree_find(root, "name"), why,
@@ -919,11 +919,10 @@ static enum status read_tree(const struct yaml_tree *root, struct plan *plan,
                                 yaml_tree_describe(yaml_tree_find(root, "name")).text);
     for (int n = 0; n < plan->statement_count; n++)
         if (!plan->statements[n].readings && yaml_tree_find(root, "readings"))
-            TRY(read_readings(&(struct schema_key){.offset = 0},
-                              yaml_tree_find(root, "readings"), &plan->statements[n], why));
-    TRY(complete_studies(plan, root, why));
-out:
-    return st;
+            CALL(read_readings(&(struct schema_key){.offset = 0},
+                               yaml_tree_find(root, "readings"), &plan->statements[n],
+                               why));
+    return complete_studies(plan, root, why);
 }
 
 enum status plan_parse(const char *path, struct plan *plan, struct message *why)
@@ -1194,19 +1193,16 @@ static enum status check_rows(const struct plan *plan, const struct plan_setting
 static enum status check_statement(const struct plan *plan, const struct plan_statement *s,
                                    struct message *why)
 {
-    enum status st;
-
-    TRY(check_rows(plan, &s->row[0], why));
-    TRY(check_rows(plan, &s->row[1], why));
+    CALL(check_rows(plan, &s->row[0], why));
+    CALL(check_rows(plan, &s->row[1], why));
     for (int n = 0; n < s->reading_count; n++)
-        TRY(check_rows(plan, &s->readings[n].rows, why));
+        CALL(check_rows(plan, &s->readings[n].rows, why));
     if (s->reading_count && s->readings->ours)
-        st =
-            plan_case_refuse(plan, s->line, why,
-                             "the first reading is what we would do; the primary one has a "
-                             "name and stands first");
-out:
-    return st;
+        return plan_case_refuse(
+            plan, s->line, why,
+            "the first reading is what we would do; the primary one has a "
+            "name and stands first");
+    return STATUS_OK;
 }
 
 static enum status check_studies(const struct plan *plan, struct message *why)

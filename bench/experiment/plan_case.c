@@ -82,8 +82,9 @@ static enum status resolve(const struct plan *plan, const struct plan_setting *s
     CALL(plan_case_scene(c, &scene, why));
     value = derived_key_young(s->key, want, &scene);
     if (isnan(value))
-        CALL(plan_case_refuse(plan, s->line, why, "%.40s cannot be set in this scene%s",
-                              s->key, scene.is_fabric ? ": its material is a fabric" : ""));
+        return plan_case_refuse(plan, s->line, why, "%.40s cannot be set in this scene%s",
+                                s->key,
+                                scene.is_fabric ? ": its material is a fabric" : "");
     settings_number(&c->run.settings, YOUNG, value);
     return STATUS_OK;
 }

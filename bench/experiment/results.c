@@ -581,8 +581,7 @@ static enum status save_chart(const struct study_results *d, const struct printe
     struct dataset *t SCOPED(dataset_destroy_scope) = DATASET_OF(columns, NULL);
     add_points(t, d, plan);
     snprintf(file, sizeof file, "%.100s_chart", d->plan->name);
-    const enum status st = printer_save(p, t, file, why);
-    return st;
+    return printer_save(p, t, file, why);
 }
 
 static enum status print_view(const struct view *v, struct printer *p, struct message *why)

@@ -36,17 +36,17 @@ static enum status read_rule(const struct yaml_tree *node, struct arena *arena,
         arena_keep(arena, r.label);
     if (r.why)
         arena_keep(arena, r.why);
-    TRY(st);
+    CALL(st);
     if (isnan(r.above) == isnan(r.below))
-        TRY(yaml_tree_refuse(node, why, "the verdict %s must have one of above and below",
-                             yaml_tree_quote(r.label).text));
+        return yaml_tree_refuse(node, why,
+                                "the verdict %s must have one of above and below",
+                                yaml_tree_quote(r.label).text);
     *rule = (struct rule){.label = r.label,
                           .measure = r.measure,
                           .above = isnan(r.below),
                           .bound = isnan(r.below) ? r.above : r.below,
                           .why = r.why};
-out:
-    return st;
+    return STATUS_OK;
 }
 
 enum status rules_read(const struct yaml_tree *list, struct arena *arena,

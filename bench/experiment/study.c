@@ -60,12 +60,11 @@ static enum status cut_times(const char *path, const struct settings *physics, i
     truth_destroy(all);
     if (!time || (st != STATUS_FILE && st != STATUS_UNSUPPORTED))
         return STATUS_OK;
-    TRY(truth_stored_times(path, physics, time[*times - 1], 1, &last, &count, why));
+    CALL(truth_stored_times(path, physics, time[*times - 1], 1, &last, &count, why));
     while (count && early < *times && time[early] <= last + 1e-9)
         early++;
     *times = early ? early : *times;
-out:
-    return st;
+    return STATUS_OK;
 }
 
 /* Finds the truth of a study, which depends on its physics and not on its nets and steps,
@@ -75,32 +74,25 @@ static enum status find_truth(const struct plan *plan, const struct plan_study *
                               const struct truth_wish *made_by, struct truth **truth,
                               struct message *why)
 {
-    struct settings physics = {0};
-    struct plan_case c = {0};
+    struct settings physics SCOPED(settings_clear) = {0};
+    struct plan_case c SCOPED(plan_case_clear) = {0};
     char kept[PATH];
-    enum status st;
 
-    TRY(plan_case_level(plan, study, NULL, false, &c, why));
+    CALL(plan_case_level(plan, study, NULL, false, &c, why));
     for (int n = 0; n < c.run.settings.count; n++)
         if (!begins(c.run.settings.text[n], "discretization.") &&
             !begins(c.run.settings.text[n], "time."))
             settings_set(&physics, c.run.settings.text[n]);
-    if (study->truth == PLAN_TRUTH_PLATE) {
-        TRY(truth_of_plate(c.run.path, &physics, times, time ? time : (double[]){INFINITY},
-                           truth, why));
-        goto out;
-    }
+    if (study->truth == PLAN_TRUTH_PLATE)
+        return truth_of_plate(c.run.path, &physics, times,
+                              time ? time : (double[]){INFINITY}, truth, why);
     snprintf(kept, sizeof kept, "%s/%s_truth", folder, study->name);
-    TRY(cut_times(c.run.path, &physics, &times, time, why));
+    CALL(cut_times(c.run.path, &physics, &times, time, why));
     if (made_by)
-        TRY(folder_make(kept, why));
-    TRY(made_by ? truth_find_or_make(c.run.path, &physics, times, time, kept, made_by,
-                                     truth, why)
-                : truth_find(c.run.path, &physics, times, time, kept, truth, why));
-out:
-    settings_clear(&physics);
-    plan_case_clear(&c);
-    return st;
+        CALL(folder_make(kept, why));
+    return made_by ? truth_find_or_make(c.run.path, &physics, times, time, kept, made_by,
+                                        truth, why)
+                   : truth_find(c.run.path, &physics, times, time, kept, truth, why);
 }
 
 /* Returns whether a scene has no truth, which is told with the numbers and ends nothing:
@@ -128,7 +120,7 @@ static enum status add_level(const struct plan *plan, const struct plan_study *s
     name_of(plan, study, level, name);
     if (st == STATUS_INPUT && sweep) /* read_case finds out why */
         return STATUS_OK;
-    TRY(st);
+    CALL(st);
     struct case_plan *m = batch_add(batch, c.run.path, c.run.contestant, name);
     settings_append(&m->settings, &c.run.settings);
     m->end = times > 0 ? time[times - 1] : 0;
@@ -144,8 +136,7 @@ static enum status add_level(const struct plan *plan, const struct plan_study *s
     m->repeats = most < timed ? most : timed;
     m->phases = level->phases;
     plan_case_clear(&c);
-out:
-    return st;
+    return STATUS_OK;
 }
 
 static enum status measure_truths(const struct plan *plan, const char *folder, bool quick,
@@ -256,14 +247,14 @@ static enum status read_case(const struct plan *plan, const struct plan_study *s
 {
     static const char later[] = "; the next sweep runs it again";
     struct run_result *r = &row->result;
-    struct plan_case c = {0};
-    struct scene scene = {0};
+    struct plan_case c SCOPED(plan_case_clear) = {0};
+    struct scene scene SCOPED(scene_clear) = {0};
     struct message said = {""};
     enum status st = run_result_read(path, false, r, NULL);
 
     if (st == STATUS_OK && r->outcome != STATUS_INPUT)
         return st;
-    TRY(st == STATUS_MEMORY ? st : STATUS_OK);
+    CALL(st == STATUS_MEMORY ? st : STATUS_OK);
     if (r->outcome == STATUS_INPUT) {
         row->again = !*r->made_for;
         said = r->sentence;
@@ -271,7 +262,7 @@ static enum status read_case(const struct plan *plan, const struct plan_study *s
         st = plan_case_level(plan, study, row->level, false, &c, &said);
         if (st == STATUS_OK)
             st = plan_case_scene(&c, &scene, &said);
-        TRY(st == STATUS_MEMORY ? st : STATUS_OK);
+        CALL(st == STATUS_MEMORY ? st : STATUS_OK);
         row->again = !*said.text;
         if (row->again)
             status_fail(&said, STATUS_FILE, "its file is %s",
@@ -279,11 +270,7 @@ static enum status read_case(const struct plan *plan, const struct plan_study *s
     }
     row->left_out = true;
     row->lost = arena_print(arena, "%s%s", said.text, row->again ? later : "");
-    st = STATUS_OK;
-out:
-    scene_clear(&scene);
-    plan_case_clear(&c);
-    return st;
+    return STATUS_OK;
 }
 
 /* Returns the error of a case of a sweep at the worst of the kept times; infinite where it
@@ -356,9 +343,9 @@ static enum status read_one(const struct plan *plan, const struct plan_study *st
         row[n].left_out = d->quick && study->levels[n].slow;
         file_of(plan, study, row[n].level, folder, path);
         if (sweep)
-            TRY(read_case(plan, study, path, &d->arena, &row[n]));
+            CALL(read_case(plan, study, path, &d->arena, &row[n]));
         else if (!row[n].left_out)
-            TRY(run_result_read(path, true, &row[n].result, why));
+            CALL(run_result_read(path, true, &row[n].result, why));
     }
     if (sweep)
         return compare_all(plan, folder, s);
@@ -371,15 +358,13 @@ static enum status read_one(const struct plan *plan, const struct plan_study *st
     row += study->level_count;
     row->level = &of_truth;
     row->left_out = true;
-    TRY(plan_case_level(plan, study, NULL, false, &base, why));
+    CALL(plan_case_level(plan, study, NULL, false, &base, why));
     st = plan_case_scene(&base, &row->result.scene, why);
     plan_case_clear(&base);
-    TRY(st);
+    CALL(st);
     s->gamma = scene_gamma(&row->result.scene);
     s->length = row->result.scene.length;
-    TRY(read_truth(plan, folder, s, why));
-out:
-    return st;
+    return read_truth(plan, folder, s, why);
 }
 
 /* Returns whether the files are of a quick run, by the first that every run leaves. */

@@ -91,8 +91,7 @@ enum status sweep_save(const struct study_results *d, const struct printer *p,
 
     EACH_CASE(d, s, row)
     add_case(t, d, s, row);
-    const enum status st = printer_save(p, t, "table", why);
-    return st;
+    return printer_save(p, t, "table", why);
 }
 
 /* --- words for people ------------------------------------------------------------------

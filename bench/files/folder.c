@@ -35,19 +35,18 @@ enum status folder_lock(const char *path, int *lock, struct message *why)
     enum status st = folder_make(path, why);
 
     *lock = -1;
-    TRY(st);
+    CALL(st);
     if (snprintf(name, sizeof name, "%s/lock", path) >= (int)sizeof name)
-        TRY(status_fail(why, STATUS_FILE, "%.60s...: the path is too long", path));
+        return status_fail(why, STATUS_FILE, "%.60s...: the path is too long", path);
     /* a pipe without a reader would be waited for */
     *lock = open(name, O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
     if (*lock < 0)
-        TRY(status_fail(why, STATUS_FILE, "%s: cannot be opened: %s", name,
-                        strerror(errno)));
+        return status_fail(why, STATUS_FILE, "%s: cannot be opened: %s", name,
+                           strerror(errno));
     if (fcntl(*lock, F_SETLK, &whole) != 0 && (errno == EACCES || errno == EAGAIN))
-        st = status_fail(why, STATUS_FILE, "%s: another run is at work in this folder",
-                         path); /* a file system without locks is forgiven */
-out:
-    return st;
+        return status_fail(why, STATUS_FILE, "%s: another run is at work in this folder",
+                           path);
+    return STATUS_OK;
 }
 
 void folder_tidy(const char *path)

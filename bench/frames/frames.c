@@ -262,18 +262,15 @@ static enum status check_frame(struct frames *f, double t, struct message *why)
 enum status frames_next(struct frames *f, double *t, const double **xyz,
                         struct message *why)
 {
-    enum status st = STATUS_OK;
-
     *xyz = NULL;
     if (f->number == f->count)
-        return st;
+        return STATUS_OK;
     *t = f->number++;
-    TRY(f->reader->next(f, t, why));
+    CALL(f->reader->next(f, t, why));
     if (f->look.dt > 0)
         *t = (f->number - 1) * f->look.dt;
-    TRY(check_frame(f, *t, why));
+    CALL(check_frame(f, *t, why));
     f->time = *t;
     *xyz = f->xyz;
-out:
-    return st;
+    return STATUS_OK;
 }

@@ -60,22 +60,21 @@ static enum status begin_xyz(struct frames *f, struct frames_array *file, long *
                          "%s: has no array xyz; xyz [frames][n][3], uv [n][2] and t "
                          "[frames] would be right",
                          f->path);
-    TRY(st);
+    CALL(st);
     while (rank < 8 && size[rank])
         rank++;
     if (!rank)
-        TRY(status_fail(why, STATUS_INPUT,
-                        "%s: xyz has no frames; one or more would be right", f->path));
+        return status_fail(why, STATUS_INPUT,
+                           "%s: xyz has no frames; one or more would be right", f->path);
     if (rank < 3 || rank > 4 || size[rank - 1] != 3 || size[0] > FRAMES_MOST_TIMES ||
         size[1] > FRAMES_MOST_VERTICES || size[rank - 2] > FRAMES_MOST_VERTICES)
-        TRY(status_fail(why, STATUS_INPUT,
-                        "%s: xyz: has rank %d and ends in %llu; [frames][n][3] would be "
-                        "right",
-                        f->path, rank, size[rank - 1]));
+        return status_fail(why, STATUS_INPUT,
+                           "%s: xyz: has rank %d and ends in %llu; [frames][n][3] would be "
+                           "right",
+                           f->path, rank, size[rank - 1]);
     f->count = (int)size[0];
     *vertices = (long)(size[1] * (rank == 4 ? size[2] : 1));
-out:
-    return st;
+    return STATUS_OK;
 }
 
 /* Reads a small array; *values stays NULL if there is none. */
@@ -98,39 +97,38 @@ static enum status take_faces(struct frames *f, struct frames_array *file,
     enum { CORNERS = 64 };
     struct frames_mesh mesh = {.arena = &f->arena, .vertices = f->net.vertices};
     unsigned long long size[8];
-    double *number = NULL;
+    double *number SCOPED(scope_free) = NULL;
     long vertex[CORNERS];
     enum status st = frames_array_begin(file, "faces", size, why);
 
     if (st == STATUS_UNSUPPORTED)
         return STATUS_OK;
-    TRY(st);
+    CALL(st);
     if (size[0] < 1 || size[0] > FRAMES_MOST_FACES || size[1] < 3 || size[1] > CORNERS ||
         size[2])
-        TRY(status_fail(
+        return status_fail(
             why, STATUS_INPUT,
             "%s: faces: has %llu rows of %llu; [faces][3] or [faces][4], one or "
             "more, would be right",
-            f->path, size[0], size[1]));
+            f->path, size[0], size[1]);
     const int corners = (int)size[1];
-    TRY(frames_array_load(file, "faces", (size_t)size[0], (size_t)corners, &number, why));
+    CALL(frames_array_load(file, "faces", (size_t)size[0], (size_t)corners, &number, why));
     for (size_t n = 0; n < size[0]; n++) {
         for (int k = 0; k < corners; k++) {
             const double x = number[n * (size_t)corners + (size_t)k];
             if (!(x >= 0 && x < mesh.vertices && x == floor(x)))
-                TRY(status_fail(why, STATUS_INPUT,
-                                "%s: faces: face %zu has a vertex %g; whole numbers from 0 "
-                                "to %d would be right",
-                                f->path, n, x, mesh.vertices - 1));
+                return status_fail(
+                    why, STATUS_INPUT,
+                    "%s: faces: face %zu has a vertex %g; whole numbers from 0 "
+                    "to %d would be right",
+                    f->path, n, x, mesh.vertices - 1);
             vertex[k] = (long)x;
         }
         frames_mesh_face(&mesh, corners, vertex);
     }
     f->net.triangles = mesh.triangles;
     f->net.triangle = mesh.triangle;
-out:
-    free(number);
-    return st;
+    return STATUS_OK;
 }
 
 static enum status open_arrays(struct frames *f, struct message *why)

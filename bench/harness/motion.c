@@ -64,8 +64,7 @@ static enum status look(const struct motion *m)
     if (!xyz)
         return STATUS_MEMORY;
     model_sample(m->model, m->state, xyz);
-    enum status st = metric_blowup(m->scene, m->steps * m->scene->step, xyz);
-    return st;
+    return metric_blowup(m->scene, m->steps * m->scene->step, xyz);
 }
 
 static enum status advance(struct motion *m)

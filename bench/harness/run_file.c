@@ -375,11 +375,9 @@ enum status run_file_write(const struct case_plan *c, struct run_result *result,
                            struct message *why)
 {
     struct run run SCOPED(run_close) = {0};
-    enum status st = run_read(&run, c, why);
 
-    if (st == STATUS_OK)
-        st = run_file_make(c, &run, result, why);
-    return st;
+    CALL(run_read(&run, c, why));
+    return run_file_make(c, &run, result, why);
 }
 
 enum status run_file_lost(const struct case_plan *c, const struct run *run,

@@ -178,24 +178,22 @@ static enum status read_fields(struct store_read *file, const char *path, bool f
 {
     int times, columns;
     double *time;
-    enum status st;
 
-    TRY(store_read_array(file, "xyz_time", &time, &times, &columns, why));
+    CALL(store_read_array(file, "xyz_time", &time, &times, &columns, why));
     r->frames = store_read_frames(file);
     if (times != r->frames)
-        TRY(status_fail(why, STATUS_INPUT, "%s: has %d fields at %d times", path, r->frames,
-                        times));
+        return status_fail(why, STATUS_INPUT, "%s: has %d fields at %d times", path,
+                           r->frames, times);
     r->time = arena_take(&r->arena, (size_t)times, sizeof *time);
     memcpy(r->time, time, (size_t)times * sizeof *time);
     if (!fields)
-        return st;
+        return STATUS_OK;
     r->xyz = arena_take(&r->arena, (size_t)r->frames, sizeof *r->xyz);
     for (int n = 0; n < r->frames; n++) {
         r->xyz[n] = arena_take(&r->arena, 3 * GRID_POINTS, sizeof **r->xyz);
-        TRY(store_read_frame(file, n, r->xyz[n], why));
+        CALL(store_read_frame(file, n, r->xyz[n], why));
     }
-out:
-    return st;
+    return STATUS_OK;
 }
 
 bool run_result_refused(const struct run_result *r)

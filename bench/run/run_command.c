@@ -194,15 +194,13 @@ static enum status close_file(struct job *j, const struct motion *m, struct mess
 {
     struct run_file *file = j->file;
     struct run_result r;
-    enum status st = STATUS_OK;
 
     j->file = NULL;
     if (!file)
-        return st;
-    TRY(run_file_close(file, m, &r, why));
+        return STATUS_OK;
+    CALL(run_file_close(file, m, &r, why));
     tell(j, &r);
-out:
-    return st;
+    return STATUS_OK;
 }
 
 static enum status run_motion(struct job *j, struct message *why)
@@ -230,10 +228,8 @@ static enum status settle(struct job *j, struct message *told, struct message *w
     if (st != STATUS_OK)
         return status_fail(why, st, "%s", told->text);
     if (j->file)
-        TRY(run_file_rest(j->file, &work, why));
-    TRY(close_file(j, NULL, why));
-out:
-    return st;
+        CALL(run_file_rest(j->file, &work, why));
+    return close_file(j, NULL, why);
 }
 
 /* Finds equilibrium and prints its table, unless points use standard output. */

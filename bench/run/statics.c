@@ -197,34 +197,28 @@ static enum status write_one(const char *folder, const char *name, const char *w
 enum status statics_matrices(const char *folder, const struct case_plan *c,
                              struct message *why)
 {
-    enum status st = STATUS_OK;
-    struct case_plan points = {c->path, c->contestant};
-    struct run run = {0};
-    struct matrix K = {0}, M = {0};
+    struct case_plan points SCOPED(case_clear) = {c->path, c->contestant};
+    struct run run SCOPED(run_close) = {0};
+    struct matrix K SCOPED(matrix_clear) = {0};
+    struct matrix M SCOPED(matrix_clear) = {0};
 
     if (!c->contestant->model->matrices)
         return status_fail(why, STATUS_UNSUPPORTED, "%s has no matrices to write",
                            c->contestant->name);
     settings_append(&points.settings, &c->settings);
     settings_word(&points.settings, "discretization.unknowns", "points");
-    TRY(run_open(&run, &points, why));
-    st = run.model->matrices(run.state, &K, &M);
+    CALL(run_open(&run, &points, why));
+    const enum status st = run.model->matrices(run.state, &K, &M);
     if (st == STATUS_UNSUPPORTED)
         status_fail(
             why, st,
             "a hinge takes the place of control points; K and M are of all of them, "
             "whatever is held: leave the supports out (--set supports=[])");
-    TRY(st);
+    CALL(st);
     if (mkdir(folder, 0777) != 0 && errno != EEXIST)
-        TRY(status_fail(why, STATUS_FILE, "%s: the folder cannot be made: %s", folder,
-                        strerror(errno)));
-    TRY(write_one(folder, "K.mtx", "Stiffness matrix of the rest shape [N/m]", &run, &K,
-                  why));
-    TRY(write_one(folder, "M.mtx", "Mass matrix of the rest shape [kg]", &run, &M, why));
-out:
-    matrix_clear(&K);
-    matrix_clear(&M);
-    run_close(&run);
-    settings_clear(&points.settings);
-    return st;
+        return status_fail(why, STATUS_FILE, "%s: the folder cannot be made: %s", folder,
+                           strerror(errno));
+    CALL(write_one(folder, "K.mtx", "Stiffness matrix of the rest shape [N/m]", &run, &K,
+                   why));
+    return write_one(folder, "M.mtx", "Mass matrix of the rest shape [kg]", &run, &M, why);
 }

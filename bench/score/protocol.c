@@ -803,11 +803,11 @@ enum status protocol_tables_write(const char *path, const struct protocol *p,
                                   struct message *why)
 {
     static struct provenance made;
-    struct output *out = NULL;
-    enum status st;
+    struct output *out SCOPED(output_discard_scope) = NULL;
+    enum status st = STATUS_OK;
 
     provenance_collect(&made);
-    TRY(output_create_in(NULL, path, &out, why));
+    CALL(output_create_in(NULL, path, &out, why));
     FILE *file = output_stream(out);
     fprintf(file, "# clothbench score --protocol | commit %s | %s\n",
             provenance_value(&made, "commit"), provenance_value(&made, "date"));
@@ -817,9 +817,6 @@ enum status protocol_tables_write(const char *path, const struct protocol *p,
         const enum status printed = printer_table(&printer, table[n], NULL, why);
         st = st == STATUS_OK ? printed : st;
     }
-    TRY(st);
-    st = output_close(&out, why);
-out:
-    output_discard(out);
-    return st;
+    CALL(st);
+    return output_close(&out, why);
 }

@@ -46,6 +46,11 @@ struct asked {
     struct pool pool; /* of a sweep                                                      */
 };
 
+static void asked_clear(struct asked *a)
+{
+    plan_clear(&a->plan);
+}
+
 /* --- what the words mean -----------------------------------------------------------------
  */
 
@@ -110,30 +115,28 @@ static enum status choose(const struct command_line *line, struct asked *a,
     const char *word = line->words[0];
     const struct command_item *item = find_item(command, word);
     const bool table = command->items != NULL;
-    char *path = NULL;
+    char *path SCOPED(scope_free) = NULL;
     enum status st = STATUS_OK;
 
     if (item && !((const struct table_plan *)(const void *)item)->plan) {
         snprintf(a->folder, sizeof a->folder, "results");
-        goto out;
+        return STATUS_OK;
     }
     if (item)
-        TRY(named_file_find(&plan_kind, ((const struct table_plan *)item)->plan, &path,
-                            why));
+        CALL(named_file_find(&plan_kind, ((const struct table_plan *)item)->plan, &path,
+                             why));
     else if (is_sweep(command))
-        TRY(named_file_find(&plan_kind, word, &path, why));
+        CALL(named_file_find(&plan_kind, word, &path, why));
     else {
         st = table ? STATUS_INPUT : named_file_find(&plan_study_kind, word, &path, NULL);
         if (st != STATUS_OK && st != STATUS_MEMORY)
             st = refuse(command, word, why);
-        TRY(st);
+        CALL(st);
     }
-    TRY(read_plan(command, path, &a->plan, why));
+    CALL(read_plan(command, path, &a->plan, why));
     snprintf(a->folder, sizeof a->folder, "results/%s%s%s", command->name, table ? "" : "_",
              item ? item->name : a->plan.name);
-out:
-    free(path);
-    return st;
+    return STATUS_OK;
 }
 
 static enum status read_line(struct command_line *line, struct asked *a,
@@ -236,29 +239,24 @@ static enum status read_one(const char *path, const struct asked *all, struct as
 static enum status add_plan(const char *path, const struct asked *all, struct statements *s,
                             struct message *why)
 {
-    struct asked a;
-    struct study_results r = {0};
+    struct asked a SCOPED(asked_clear) = {0};
+    struct study_results r SCOPED(study_clear) = {0};
     struct printer silent = {.format = TABLE_TEXT};
-    struct kept *kept = NULL;
-    enum status st;
+    struct kept *kept SCOPED(kept_discard) = NULL;
 
-    TRY(read_one(path, all, &a, why));
+    CALL(read_one(path, all, &a, why));
     if (!is_of_the_paper(&a.plan) || !plan_is_study(&a.plan))
-        goto out;
+        return STATUS_OK;
     if (!a.from)
-        TRY(measure(&a, why));
-    TRY(study_read(&a.plan, a.folder, &r, why));
+        CALL(measure(&a, why));
+    CALL(study_read(&a.plan, a.folder, &r, why));
     kept_open(a.folder, "study", a.plan.name, &silent, &kept);
     silent.folder = a.folder;
     if (kept)
-        TRY(claim_tell(&r, &silent, kept, why));
-    TRY(kept_close(&kept, why));
+        CALL(claim_tell(&r, &silent, kept, why));
+    CALL(kept_close(&kept, why));
     statements_add(s, &r);
-out:
-    kept_discard(&kept);
-    study_clear(&r);
-    plan_clear(&a.plan);
-    return st;
+    return STATUS_OK;
 }
 
 static enum status run_all(const struct asked *all, struct message *why)
@@ -342,13 +340,13 @@ static enum status lead(struct command_line *line, struct asked *a, struct messa
 
 static enum status run_sweep(struct command_line *line, struct message *why)
 {
-    struct asked a = {0};
+    struct asked a SCOPED(asked_clear) = {0};
     const struct ranks *ranks = NULL;
-    enum status st;
+    enum status st = STATUS_OK;
 
     omp_set_num_threads(1);
     signal(SIGXFSZ, SIG_IGN); /* a limit on file sizes is a full disk, not a death */
-    TRY(ranks_start(&ranks, why));
+    CALL(ranks_start(&ranks, why));
     a.pool.ranks = ranks;
     if (ranks && ranks->rank)
         serve(line, &a);
@@ -358,8 +356,6 @@ static enum status run_sweep(struct command_line *line, struct message *why)
         pool_dismiss(ranks);
     if (ranks)
         ranks->finish();
-out:
-    plan_clear(&a.plan);
     return st;
 }
 
@@ -368,21 +364,16 @@ out:
 
 static enum status run(struct command_line *line, struct message *why)
 {
-    struct asked a = {0};
-    enum status st;
+    struct asked a SCOPED(asked_clear) = {0};
 
-    TRY(read_line(line, &a, why));
-    if (!a.plan.name) {
-        st = run_all(&a, why);
-        goto out;
-    }
+    CALL(read_line(line, &a, why));
+    if (!a.plan.name)
+        return run_all(&a, why);
     if (!a.from)
-        TRY(measure(&a, why));
-    TRY(print(line, &a, why));
+        CALL(measure(&a, why));
+    CALL(print(line, &a, why));
     show_tell(a.folder);
-out:
-    plan_clear(&a.plan);
-    return st;
+    return STATUS_OK;
 }
 
 static const struct command_option options[] = {

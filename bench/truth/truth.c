@@ -32,16 +32,12 @@ bool truth_plan_judges(const struct scene *scene, double time)
 /* Refuses a sheet that nothing holds and that lies within a thickness on an obstacle. */
 static enum status check_drape(const struct scene *scene, struct message *why)
 {
-    enum status st = STATUS_OK;
-    double *rest SCOPED(scope_free) = NULL;
-
     if (!scene->obstacle_count || scene->support_count)
         return STATUS_OK;
-    rest = metric_rest_field(scene);
-    if (!rest)
-        return STATUS_MEMORY;
+    double *rest SCOPED(scope_free) = metric_rest_field(scene);
+    CALL(rest ? STATUS_OK : STATUS_MEMORY);
     if (contact_shape_least_gap(scene, 0, GRID_POINTS, rest) <= scene->thickness)
-        st = status_fail(
+        return status_fail(
             why, STATUS_UNSUPPORTED,
             "%s has no truth: it is laid on an obstacle, and a drape has many "
             "equilibria, of which net and round-off choose one; claimed of each "
@@ -49,7 +45,7 @@ static enum status check_drape(const struct scene *scene, struct message *why)
             "(run %s --static); dropped onto an obstacle a sheet has a truth "
             "for a while, as sphere",
             scene->name, scene->name);
-    return st;
+    return STATUS_OK;
 }
 
 enum status truth_plan_check(const struct scene *scene, struct message *why)
@@ -198,11 +194,10 @@ static enum status from_kirchhoff(const struct scene *scene, bool linear, struct
     const double relative = KIRCHHOFF_TRANSIENT_ERROR +
                             (linear ? 0 : 0.0125 * gamma * gamma) +
                             2 * pow(scene->thickness / scene->length, 2);
-    double *rest = metric_rest_field(scene);
-    enum status st = rest ? STATUS_OK : STATUS_MEMORY;
+    double *rest SCOPED(scope_free) = metric_rest_field(scene);
 
-    TRY(st);
-    TRY(kirchhoff_field(scene, KIRCHHOFF_TERMS, t->times, t->time, t->xyz, why));
+    CALL(rest ? STATUS_OK : STATUS_MEMORY);
+    CALL(kirchhoff_field(scene, KIRCHHOFF_TERMS, t->times, t->time, t->xyz, why));
     for (int n = 0; n < t->times; n++)
         t->error[n] = relative * metric_rmse(t->xyz[n], rest);
     snprintf(t->source, sizeof t->source,
@@ -210,9 +205,7 @@ static enum status from_kirchhoff(const struct scene *scene, bool linear, struct
                     : "Kirchhoff plate, modal solution exact in time; Gamma = %.3g leaves "
                       "linear theory",
              gamma);
-out:
-    free(rest);
-    return st;
+    return STATUS_OK;
 }
 
 const char *truth_bar_name(const struct truth *t)

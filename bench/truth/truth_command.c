@@ -221,18 +221,18 @@ static void add_known(struct dataset *t, const struct truth *made, double length
 
 static enum status add_scene(struct dataset *t, const char *name, struct message *why)
 {
-    struct settings settings = {0};
-    struct scene scene = {0};
-    struct truth made = {0};
+    struct settings settings SCOPED(settings_clear) = {0};
+    struct scene scene SCOPED(scene_clear) = {0};
+    struct truth made SCOPED(truth_clear) = {0};
     struct message lack = {""};
-    char *path = NULL;
+    char *path SCOPED(scope_free) = NULL;
     enum status st;
 
-    TRY(scene_file_find(name, &path, why));
-    TRY(truth_plan_scene(path, &settings, &scene, why));
+    CALL(scene_file_find(name, &path, why));
+    CALL(truth_plan_scene(path, &settings, &scene, why));
     st = truth_known(&scene, &made, &lack);
     if (st != STATUS_OK && st != STATUS_UNSUPPORTED && st != STATUS_FILE)
-        TRY(status_fail(why, st, "%s", lack.text));
+        return status_fail(why, st, "%s", lack.text);
     dataset_line(t, "%s", name);
     if (st == STATUS_OK && made.claimed) {
         add_known(t, &made, scene.length);
@@ -240,13 +240,7 @@ static enum status add_scene(struct dataset *t, const char *name, struct message
         dataset_add(t, "none");
         dataset_note(t, "%s.", lack.text);
     }
-    st = STATUS_OK;
-out:
-    truth_clear(&made);
-    scene_clear(&scene);
-    settings_clear(&settings);
-    free(path);
-    return st;
+    return STATUS_OK;
 }
 
 enum status truth_print_all(struct printer *p, struct message *why)
@@ -390,42 +384,40 @@ static enum status make(struct job *j, const struct command_line *line, struct m
 {
     struct truth_runs runs = {.path = j->path, .settings = &j->settings, .say = stderr};
     const char *third = command_value(line, "--third");
-    struct truth made = {0};
+    struct truth made SCOPED(truth_clear) = {0};
     char truth[PATH], file[PATH + 8];
     enum status st;
 
     if (!third)
-        TRY(truth_plan_check(&j->scene, why));
-    TRY(choose_file(j, line, truth, why));
+        CALL(truth_plan_check(&j->scene, why));
+    CALL(choose_file(j, line, truth, why));
     if (third) {
-        TRY(truth_file_third(truth, file, sizeof file, why));
-        TRY(truth_third_make(third, j->scene.length, &made, why));
+        CALL(truth_file_third(truth, file, sizeof file, why));
+        CALL(truth_third_make(third, j->scene.length, &made, why));
         char *slash = strrchr(file, '/');
         *slash = '\0';
-        TRY(folder_make(file, why));
+        CALL(folder_make(file, why));
         *slash = '/';
     } else {
         snprintf(file, sizeof file, "%s", truth);
         st = truth_closed_make(&j->scene, &made);
-        TRY(st == STATUS_UNSUPPORTED
-                ? make_by_runs(j, command_value(line, "--runs"), &runs, &made, why)
-                : st);
+        CALL(st == STATUS_UNSUPPORTED
+                 ? make_by_runs(j, command_value(line, "--runs"), &runs, &made, why)
+                 : st);
     }
     truth_pack(&made, j->scene.length);
-    TRY(truth_file_write(file, &runs, &made, why));
+    CALL(truth_file_write(file, &runs, &made, why));
     if (!third) {
-        TRY(truth_crossing_judge(&made, j->scene.sheets));
+        CALL(truth_crossing_judge(&made, j->scene.sheets));
         truth_crossing_tell(&made, &j->scene, &j->end);
     }
-    TRY(print(&made, &j->scene, j->printer, why));
+    CALL(print(&made, &j->scene, j->printer, why));
     fprintf(stderr, "%s in %s\n", third ? "third mechanics" : "truth", file);
     if (j->must && j->end.answer != TRUTH_MET)
-        TRY(status_fail(why, STATUS_FAILED, "%s", j->end.text));
+        return status_fail(why, STATUS_FAILED, "%s", j->end.text);
     if (*j->end.text)
         fprintf(stderr, "truth: %s\n", j->end.text);
-out:
-    truth_clear(&made);
-    return st;
+    return STATUS_OK;
 }
 
 /* Prints what is known without a run. */

@@ -307,17 +307,13 @@ static enum status put_all(struct store *store, const struct scene *scene,
 static enum status read_run(const struct truth_runs *runs, const struct truth *made,
                             struct run *run, struct message *why)
 {
-    struct case_plan c = {.path = runs->path};
-    enum status st;
+    struct case_plan c SCOPED(case_clear) = {.path = runs->path};
 
     if (made->closed || made->foreign)
         return contestant_read_scene(runs->settings, runs->path, &run->scene, why);
-    TRY(truth_level_settings(runs, &made->level, &c.settings, why));
+    CALL(truth_level_settings(runs, &made->level, &c.settings, why));
     c.contestant = truth_level_contestant(made->level.model);
-    TRY(run_read(run, &c, why));
-out:
-    settings_clear(&c.settings);
-    return st;
+    return run_read(run, &c, why);
 }
 
 enum status truth_file_write(const char *path, const struct truth_runs *runs,
@@ -434,23 +430,20 @@ enum status truth_file_third(const char *path, char *third, size_t size,
 /* Judges a truth by the third beside it, if it is of the same physics. */
 static enum status judge_by_third(const char *path, struct truth *made, struct message *why)
 {
-    struct truth third = {0};
+    struct truth third SCOPED(truth_clear) = {0};
     char file[4096];
     struct stat there;
-    enum status st;
 
-    TRY(truth_file_third(path, file, sizeof file, why));
+    CALL(truth_file_third(path, file, sizeof file, why));
     if (stat(file, &there) != 0)
-        goto out;
-    TRY(read_alone(file, &third, why));
+        return STATUS_OK;
+    CALL(read_alone(file, &third, why));
     if (strcmp(third.physics, made->physics) == 0)
         truth_third_judge(&third, made);
     else
         snprintf(made->third, sizeof made->third,
                  "not compared, as it is of other physics");
-out:
-    truth_clear(&third);
-    return st;
+    return STATUS_OK;
 }
 
 /* Reads a file; `search`: for crossings, too. */

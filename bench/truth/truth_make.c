@@ -490,7 +490,7 @@ static enum status work(struct maker *k, struct truth *made, struct truth_outloo
     int finer;
 
     for (;;) {
-        TRY(look_again(k, made, o, why));
+        CALL(look_again(k, made, o, why));
         end->answer = truth_make_judge(k->wish, o, &next, end->text);
         if (end->answer == TRUTH_GO) {
             if (k->runs->say)
@@ -501,19 +501,18 @@ static enum status work(struct maker *k, struct truth *made, struct truth_outloo
                 tell(k->wish, o, end->answer, next, end->text);
                 return STATUS_OK;
             }
-            TRY(st);
+            CALL(st);
             const struct truth older = k->before;
             k->before = *made;
             *made = older;
             k->bars = read_bars(k->wish, o);
         } else if (end->answer != TRUTH_LOST && find_finer(k, &finer)) {
-            TRY(push(k, pushed_family(k), finer, why));
+            CALL(push(k, pushed_family(k), finer, why));
         } else {
             return STATUS_OK;
         }
     }
-out:
-    return st;
+    return STATUS_OK;
 }
 
 enum status truth_make(const struct truth_runs *runs, const struct scene *scene,

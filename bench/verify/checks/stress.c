@@ -192,18 +192,14 @@ static enum status watch(void *context, const struct motion *m, struct message *
 static enum status move(struct judged *r)
 {
     const struct run *run = &r->run;
-    struct motion m = {0};
-    enum status st;
+    struct motion m SCOPED(motion_clear) = {0};
 
     motion_init(&m, run->model, &run->scene, run->state);
-    TRY(motion_run(&m, watch, r, true, r->why));
+    CALL(motion_run(&m, watch, r, true, r->why));
     if (!m.death)
-        goto out;
+        return STATUS_OK;
     r->row->until = m.death_time;
-    st = status_fail(r->why, m.death, "%s", status_text(m.death));
-out:
-    motion_clear(&m);
-    return st;
+    return status_fail(r->why, m.death, "%s", status_text(m.death));
 }
 
 /* Goes to static equilibrium; by damped motion where the model has no other way. */

@@ -386,14 +386,13 @@ static enum status read_axes(const struct schema_key *key, const struct yaml_tre
                              void *target, struct message *why)
 {
     struct plan_study *study = (void *)((char *)target + key->offset);
-    enum status st = STATUS_OK;
 
     if (node->kind != YAML_TREE_MAP || node->count < 1 || node->count > PLAN_STUDY_AXES)
         return schema_refuse(key, node, why);
-    for (const struct yaml_tree *n = node->first; n && st == STATUS_OK; n = n->next)
+    for (const struct yaml_tree *n = node->first; n; n = n->next)
         if (n->count) /* else it takes the plan's away */
-            st = read_axis(ARENA_OF(target), n, &study->axis[study->axis_count++], why);
-    return st;
+            CALL(read_axis(ARENA_OF(target), n, &study->axis[study->axis_count++], why));
+    return STATUS_OK;
 }
 
 /* --- studies -----------------------------------------------------------------------------
@@ -508,16 +507,15 @@ static enum status read_words(const struct schema_key *key, const struct yaml_tr
                               void *target, struct message *why)
 {
     struct plan_settings *words = (void *)((char *)target + key->offset);
-    enum status st = STATUS_OK;
 
     if (node->kind != YAML_TREE_LIST || node->count < 1 || node->count > key->most)
         return schema_refuse(key, node, why);
-    for (const struct yaml_tree *n = node->first; n && st == STATUS_OK; n = n->next)
-        if (n->text)
-            add_text(ARENA_OF(target), words, n->text, "", n->line);
-        else
-            st = schema_refuse(key, node, why);
-    return st;
+    for (const struct yaml_tree *n = node->first; n; n = n->next) {
+        if (!n->text)
+            return schema_refuse(key, node, why);
+        add_text(ARENA_OF(target), words, n->text, "", n->line);
+    }
+    return STATUS_OK;
 }
 
 /* --- statements */
@@ -1179,15 +1177,13 @@ static enum status check_labels(const struct plan *plan, const struct plan_setti
 static enum status check_rows(const struct plan *plan, const struct plan_settings *rows,
                               struct message *why)
 {
-    enum status st = STATUS_OK;
-
-    for (int n = 0; n < rows->count && st == STATUS_OK; n++) {
+    for (int n = 0; n < rows->count; n++) {
         struct plan_setting *s = &rows->list[n];
         const struct plan_settings one = {1, s};
         if (strcmp(s->key, "at") && s->value[0] != '!' && !strchr(s->value, '*'))
-            st = check_labels(plan, &one, why);
+            CALL(check_labels(plan, &one, why));
     }
-    return st;
+    return STATUS_OK;
 }
 
 static enum status check_statement(const struct plan *plan, const struct plan_statement *s,

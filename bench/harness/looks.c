@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "models/metric/metric.h"
+#include "models/vector.h"
 
 /* Every third grid point: three or four to a span of a net of 10 x 10 control points, where
  * a quadratic spline has no folds to hide, at a tenth of the time of the whole grid. Of
@@ -129,8 +130,7 @@ static void reduce_series(const struct looks *l, const struct scene *scene, doub
 
 static void reduce_scene(const struct scene *scene, double *value)
 {
-    const double *g = scene->gravity;
-    double weight = scene->density * sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+    const double weight = scene->density * vector_length(scene->gravity);
 
     value[MEASURE_GAMMA] = scene_gamma(scene);
     value[MEASURE_YOUNG_OVER_DENSITY] = scene->young / scene->density;

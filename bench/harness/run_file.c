@@ -12,6 +12,7 @@
 #include "models/clock.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
+#include "models/vector.h"
 
 struct run_file {
     const struct run *run;
@@ -111,11 +112,11 @@ static double load_of(const struct run *run, const struct model_contact *c)
 {
     const struct scene *s = &run->scene;
     const double *g = s->gravity;
-    const double pull = sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+    const double pull = vector_length(g);
 
     if (!(pull > 0))
         return NAN;
-    return -(c->force[0] * g[0] + c->force[1] * g[1] + c->force[2] * g[2]) /
+    return -vector_dot(c->force, g) /
            (pull * pull * s->density * s->length * s->width * s->thickness);
 }
 
@@ -206,17 +207,16 @@ enum status run_file_bytes(struct run_file *f, double bytes, struct message *why
 static enum status store_series(struct run_file *f, struct message *why)
 {
     const struct looks *l = &f->looks;
-    enum status st = STATUS_OK;
 
-    for (int n = 0; n < LOOKS_SERIES && st == STATUS_OK; n++)
-        st = store_metric(f->store, looks_series[n].name, looks_series[n].unit,
-                          l->series[n], l->count, why);
-    for (int n = 0; n < LOOKS_TRUTH && f->truth && st == STATUS_OK; n++)
-        st = store_metric(f->store, looks_truth[n], "1", f->truth + n * l->room, l->count,
-                          why);
-    if (st == STATUS_OK && f->run->model->energy)
-        st = store_metric(f->store, "energy_drift", "1", l->drift, l->count, why);
-    return st;
+    for (int n = 0; n < LOOKS_SERIES; n++)
+        CALL(store_metric(f->store, looks_series[n].name, looks_series[n].unit,
+                          l->series[n], l->count, why));
+    for (int n = 0; n < LOOKS_TRUTH && f->truth; n++)
+        CALL(store_metric(f->store, looks_truth[n], "1", f->truth + n * l->room, l->count,
+                          why));
+    return f->run->model->energy
+               ? store_metric(f->store, "energy_drift", "1", l->drift, l->count, why)
+               : STATUS_OK;
 }
 
 enum status run_file_end(struct run_file *f, struct message *why)

@@ -9,6 +9,7 @@
 
 #include "bench/files/matrix_market.h"
 #include "models/reader/scene_schema.h"
+#include "models/vector.h"
 
 /* Displacements below this many lengths are rounding: they are differences of positions,
  * which are about one length each. */
@@ -49,9 +50,7 @@ static const double NEUTRAL = 1e-2;
 static void add_stability(struct dataset *t, const struct scene *scene, int count,
                           const double *omega)
 {
-    const double *g = scene->gravity;
-    double neutral =
-        NEUTRAL * sqrt(sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]) / scene->length);
+    const double neutral = NEUTRAL * sqrt(vector_length(scene->gravity) / scene->length);
     int unstable = 0;
 
     while (unstable < count && omega[unstable] < -neutral)

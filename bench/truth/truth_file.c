@@ -276,16 +276,15 @@ static enum status put_columns(struct store *store, const struct truth *made,
 {
     struct arena own SCOPED(arena_clear) = {0};
     double *column = arena_take(&own, (size_t)made->times, sizeof *column);
-    enum status st = STATUS_OK;
 
-    for (int c = 0; c < COLUMNS && st == STATUS_OK; c++) {
+    for (int c = 0; c < COLUMNS; c++) {
         for (int n = 0; n < made->times; n++)
             column[n] = *cell(made, n, columns[c].column);
         if (!columns[c].some || (made->claimed && !isnan(*column)))
-            st = store_metric(store, columns[c].name, columns[c].unit, column, made->times,
-                              why);
+            CALL(store_metric(store, columns[c].name, columns[c].unit, column, made->times,
+                              why));
     }
-    return st;
+    return STATUS_OK;
 }
 
 static enum status put_all(struct store *store, const struct scene *scene,

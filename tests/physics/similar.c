@@ -9,6 +9,7 @@
  *   scaled    lengths by s, times by sqrt(s), the gravity as it is: then accelerations are
  *             as they were, velocities go with sqrt(s), rates with 1 / sqrt(s), forces with
  *             s^3 and stresses with s, at the same density
+ *   heavier   masses, stiffnesses and forces by 7: accelerations are as they were
  *
  * And single precision falls for a hundred seconds as double does.
  *   similar [KINDS]    the first of the above only, and no long fall
@@ -20,11 +21,15 @@
 
 enum { FRAMES = 20, SIDE = 7, NODES = SIDE * SIDE };
 
-enum kind { MOVED, QUARTER, FLIPPED, TURNED, MIRRORED, SMALLER, LARGER, KINDS };
-static const char *const kind_name[KINDS] = {
-    "moved",  "turned by quarters", "mirrored across an axis",
-    "turned", "mirrored",           "smaller",
-    "larger"};
+enum kind { MOVED, QUARTER, FLIPPED, TURNED, MIRRORED, HEAVIER, SMALLER, LARGER, KINDS };
+static const char *const kind_name[KINDS] = {"moved",
+                                             "turned by quarters",
+                                             "mirrored across an axis",
+                                             "turned",
+                                             "mirrored",
+                                             "heavier",
+                                             "smaller",
+                                             "larger"};
 
 /* How far places may be from where they should be, over the length. In double precision a
  * velocity that is a way over a step gains a rounding of a place in each step, and after N
@@ -140,6 +145,18 @@ static void scale(struct scene *s, double by)
     }
 }
 
+static void make_heavier(struct scene *s)
+{
+    const double by = 7;
+
+    s->young *= by, s->density *= by, s->drag *= by, s->pressure *= by;
+    for (int n = 0; n < LAW_MODULI; n++)
+        s->fabric.membrane[n] *= by, s->fabric.bending[n] *= by;
+    s->fabric.areal_density *= by;
+    for (int n = 0; n < 3 * s->load_count; n++)
+        s->loads[n / 3].force[n % 3] *= by;
+}
+
 static const double way[3] = {AWAY, -AWAY, AWAY};
 static const double matrix[KINDS][3][3] = {
     [QUARTER] = {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}},
@@ -161,6 +178,8 @@ static void change(struct scene *s, enum kind kind)
                 s->supports[n].motion.about[i] += way[i];
             s->velocity[i] -= w[j] * way[k] - w[k] * way[j];
         }
+    } else if (kind == HEAVIER) {
+        make_heavier(s);
     } else if (kind < SMALLER) {
         direct(s, matrix[kind], kind == TURNED || kind == QUARTER ? 1 : -1);
     } else {
@@ -171,7 +190,7 @@ static void change(struct scene *s, enum kind kind)
 /* Maps a point as the scene was changed. */
 static void follow(double x[3], enum kind kind)
 {
-    if (kind != MOVED && kind < SMALLER)
+    if (kind != MOVED && kind < HEAVIER)
         map(matrix[kind], x);
     for (int i = 0; i < 3; i++)
         x[i] = kind == MOVED     ? x[i] + way[i]
@@ -239,7 +258,7 @@ static void check_scene(const struct contestant *c, int scene, int kinds)
 
     if (!move(c, file, scenes[scene].settings, KINDS, FRAMES, x))
         return;
-    for (int k = 0; k < (has(c, "parameters=paper") ? SMALLER : KINDS) && k < kinds; k++) {
+    for (int k = 0; k < (has(c, "parameters=paper") ? HEAVIER : KINDS) && k < kinds; k++) {
         if ((k == MIRRORED || k == FLIPPED) && strstr(scenes[scene].settings, "cloak"))
             continue;
         double want[NODES][3];

@@ -154,8 +154,12 @@ static const double surely_apart = 1.5 + 1e-9;
 /* The least cosine of the angle between the normals at the border and of its triangle. */
 static const double SLANT = 0.5;
 /* The curvature of half the squared distance about a smooth surface's foot, over that about
- * one on a plane, from which it counts, and from which wholly. */
-static const double LEAST_ALONE = 0.05, ALONE = 0.3;
+ * one on a plane, from which it counts, and from which wholly: 1 - D/R at a distance D
+ * inside a bend of radius R. The foot turns by 1/(R - D) as the sample moves across, and
+ * with it the pressure p, by no more than the law's slope, 2 p / (x (1 - x) r) >= 8 p / r,
+ * from R - D = r/8 on; with r = start/2 < D that is R/9 at most. The share is no steeper
+ * either: 3/2 p / (R (ALONE - LEAST_ALONE)) <= 8 p / r where R >= 9/8 r. */
+static const double LEAST_ALONE = 1.0 / 9, ALONE = 1.0 / 9 + 1.0 / 6;
 /* The most that a smooth surface's foot is from the triangles' in u and v, in samples. */
 static const double astray = 2;
 

@@ -5,6 +5,7 @@
 #include <omp.h>
 #include <stdint.h>
 
+#include "models/contact/contact_law.h"
 #include "models/metric/intersection.h"
 #include "models/vector.h"
 #include "tests/check.h"
@@ -345,6 +346,82 @@ static void test_loops(void)
     close_search(&surface, &search);
 }
 
+/* Two sheets: an arc about y = place[3], whose axes are place[0..2], and a patch about
+ * place[4]. They begin and end at u = arc_end and patch_begin. */
+static double arc_end, patch_begin;
+static int bend_row(const void *self, double u, double v, int *node, double *shape)
+{
+    const bool patch = u > arc_end;
+    const double angle = 2.8 * (u / arc_end - 0.5);
+    const double arc[] = {cos(angle), sin(angle), v, 1};
+    const double flat[] = {1, (u - patch_begin) / (1 - patch_begin) - 0.5, v - 0.5};
+
+    (void)self;
+    for (int k = 0; k < 4 - patch; k++)
+        node[k] = 4 * patch + k, shape[k] = patch ? flat[k] : arc[k];
+    return 4 - patch;
+}
+
+/* Computes the force by the law on a sample at (r, angle) inside that arc of a radius;
+ * *slope is the law's, if it is not NULL. */
+static void press_inside(struct contact_search *s, int sample, double bend, double r,
+                         double angle, double force[3], double *slope)
+{
+    const struct contact_law law = {.start = start, .range = start / 2, .stiffness = 1};
+
+    place[0][0] = place[1][2] = bend;
+    place[4][0] = r * cos(angle), place[4][2] = r * sin(angle);
+    REQUIRE(contact_search_find(s, place[0]) == STATUS_OK);
+    memset(force, 0, 3 * sizeof *force);
+    for (const struct contact_foot *f = s->foot; f < s->foot + s->count; f++)
+        for (int i = 0; i < 3 && f->sample == sample; i++)
+            force[i] += f->strength * f->normal[i] *
+                        contact_law_pressure(&law, f->distance, i ? NULL : slope);
+}
+
+/* A sample moves inside a bend about it, where the foot turns the faster the nearer it is
+ * to the middle: by that the force changes no faster than twice the law along, and than the
+ * law across. */
+static void test_bend(void)
+{
+    enum { ROWS = 16, SAMPLE = (ROWS + ROWS / 2) * 3 + 1 };
+    const int n[2] = {2 * ROWS, 3};
+    const double nearer = 1e-5 * start;
+    double along = 0, across = 0, least = INFINITY, most = 0;
+    struct scene scene;
+    struct contact_surface surface;
+    struct contact_search search;
+
+    REQUIRE(scene_init(&scene) == STATUS_OK);
+    scene.sheets = 2, scene.length = scene.width = 1, scene.pose[1] = scene.pose[0];
+    arc_end = scene_sheet_u(&scene, 0, 1), patch_begin = scene_sheet_u(&scene, 1, 0);
+    REQUIRE(contact_surface_init_even(&surface, &scene, NULL, bend_row, 4, 7, n) ==
+            STATUS_OK);
+    REQUIRE(contact_search_init(&search, &surface, start) == STATUS_OK);
+    memset(place, 0, 7 * sizeof *place);
+    place[2][1] = 1, place[3][1] = -0.5;
+    place[5][2] = place[6][1] = 1e-3 * start;
+    for (int k = 0; k < 400; k++) {
+        const double bend = (0.6 + 0.1 * (k % 5)) * start, angle = 0.16 * (k / 80) - 0.32;
+        const double r = bend * (0.01 + 0.02 * (k / 5 % 16));
+        double force[3], other[3], slope = INFINITY;
+        if (bend - r < 0.52 * start)
+            continue; /* the law's wall */
+        press_inside(&search, SAMPLE, bend, r + nearer, angle, other, NULL);
+        press_inside(&search, SAMPLE, bend, r, angle, force, &slope);
+        least = fmin(least, vector_length(force)), most = fmax(most, vector_length(force));
+        vector_between(force, other, other);
+        along = fmax(along, vector_length(other) / (nearer * slope));
+        press_inside(&search, SAMPLE, bend, r, angle + nearer / r, other, NULL);
+        vector_between(force, other, other);
+        across = fmax(across, vector_length(other) / (nearer * slope));
+    }
+    printf("inside a bend: %.2f of the law's slope along, %.2f across\n", along, across);
+    CHECK(along < 2 && across < 1 && along > 1 && least == 0 && most > 1);
+    close_search(&surface, &search);
+    scene_clear(&scene);
+}
+
 /* Two concentric arcs of a net, one turned by an angle and moved along the axis. */
 static void place_arcs(int half, int m, double cell, double angle, double shift)
 {
@@ -654,6 +731,7 @@ int main(void)
     test_every_pair();
     test_smooth();
     test_loops();
+    test_bend();
     test_sliding();
     test_leaving();
     test_not_a_number();

@@ -28,18 +28,3 @@ ends() { # CODE ARGUMENT...: so it ends
 good() { # ARGUMENT...
     ends 0 "$@"
 }
-
-# Bad input: exit 2, nothing on standard output, one line on standard error.
-refused() { # ARGUMENT...
-    ends 2 "$@"
-    [ ! -s out ] || fail "$*: prints $(<out)"
-    [ "$(wc -l <err)" -eq 1 ] || fail "$*: not one line: $(<err)"
-}
-
-has() { # FILE TEXT...; each is in the file
-    local file=$1 text
-    shift
-    for text in "$@"; do
-        grep -qF -- "$text" "$file" || fail "'$text' is not in $file: $(head -c 2000 "$file")"
-    done
-}

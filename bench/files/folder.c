@@ -41,8 +41,10 @@ enum status folder_lock(const char *path, int *lock, struct message *why)
     /* a pipe without a reader would be waited for */
     *lock = open(name, O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
     if (*lock < 0)
-        return status_fail(why, STATUS_FILE, "%s: cannot be opened: %s", name,
-                           strerror(errno));
+        return status_fail(why, STATUS_FILE, "%s: %s", name,
+                           errno == ENXIO
+                               ? "this is a pipe, where a file is made: remove it"
+                               : strerror(errno));
     if (fcntl(*lock, F_SETLK, &whole) != 0 && (errno == EACCES || errno == EAGAIN))
         return status_fail(why, STATUS_FILE, "%s: another run is at work in this folder",
                            path);

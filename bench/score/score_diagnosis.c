@@ -997,6 +997,12 @@ static bool say_strays(const struct score *s, struct evidence *e)
     return true;
 }
 
+/* A component of a direction, in two digits: less than half of the last is none. */
+static double component(double x)
+{
+    return fabs(x) < 0.005 ? 0 : x;
+}
+
 /* Reports that the first frame is the sheet at rest, but turned. */
 static bool say_turn(const struct score *s, struct evidence *e)
 {
@@ -1007,7 +1013,7 @@ static bool say_turn(const struct score *s, struct evidence *e)
     say(e->d, SCORE_TURNED, t->angle,
         "Begins turned by %.3g degrees about (%.2g, %.2g, %.2g): is the sheet's pose the "
         "scene's, and gravity along -z?",
-        t->angle, t->axis[0], t->axis[1], t->axis[2]);
+        t->angle, component(t->axis[0]), component(t->axis[1]), component(t->axis[2]));
     return true;
 }
 

@@ -1,4 +1,4 @@
-/* What each kind of a scene's damping is to a model with masses and stiffness. */
+/* Each kind of a scene's damping is a rate on masses and stiffness, or a factor. */
 #include "models/damping.h"
 
 #include "tests/check.h"

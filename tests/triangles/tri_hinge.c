@@ -39,7 +39,7 @@ static void check_angles(void)
     CHECK(isnan(tri_hinge_angle(none)));
 }
 
-/* Where nothing is flat: derivatives are those of the angle; a shift changes nothing. */
+/* Derivatives are those of the angle where nothing is flat; a shift changes nothing. */
 static void check_derivatives(double angle)
 {
     double x[4][3], g[12], H[12][12], side[2][12], off[2] = {INFINITY, INFINITY}, sum = 0;

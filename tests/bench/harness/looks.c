@@ -378,8 +378,8 @@ static bool has_explicit(const struct model *model, const struct scene *scene)
     return built;
 }
 
-/* What a death under contact advises can be done: half the step by every model, explicit
- * steps where they are named, among supports that hold the middle of the thickness. */
+/* Every model can do what a death under contact advises: half the step, and explicit steps
+ * where they are named, among supports that hold the middle of the thickness. */
 static void test_advice(void)
 {
     struct settings s = {0};

@@ -126,7 +126,7 @@ static void test_load(void)
     settings_clear(&s);
 }
 
-/* What a coarse search does not see is counted at the last look, also of one that dies. */
+/* The last look counts what a coarse search does not see, also in a run that dies. */
 static void test_crossing(void)
 {
     const struct run_keep keep = {.file = file, .every = 5, .intersections = true};

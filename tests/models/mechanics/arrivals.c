@@ -48,7 +48,8 @@ static void check_ends(const struct scene *s)
     CHECK(arrival_ends(&a, 12, &hangs, 0) && !arrival_ends(&a, 12, &far, 0));
 }
 
-/* What a chosen number leaves is doubted, and is astray if it should only descend. */
+/* A chosen number of iterations is doubted for what it leaves, and is astray if it should
+ * only descend. */
 static void check_chosen(const struct scene *s)
 {
     const struct arrival_forces most = {.left = 1.01 * LOADS};

@@ -9,7 +9,8 @@ enum { NODES = 9, FREE = 3 * (NODES - 1), PAIRS = 2 * NODES - 1 };
 
 static const double STIFFNESS = 70, MASS = 0.4; /* N/m, kg */
 
-/* Of factors, and of iterations that end at 1e-10 in the norm of a chain of this length. */
+/* Factors are right to the first, iterations, which end at 1e-10 in the norm of a chain of
+ * this length, to the second. */
 static const double ROUND_OFF = 1e-12, ITERATED = 1e-8;
 
 struct chain {

@@ -8,7 +8,7 @@
 #include "tests/check.h"
 #include "triangles/tri_hinge.h"
 
-/* What conditions may be missed by, and what the usual stiffnesses miss at least. */
+/* Conditions may be missed by the first; the usual stiffnesses miss them by the second. */
 static const double MET = 0.02, MISSED = 0.05;
 
 enum { EACH = 14, MOST = 400 };

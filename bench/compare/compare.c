@@ -225,12 +225,10 @@ static enum status compare_job_measure(struct compare_job *j, struct message *wh
         fprintf(stderr, "compare: %s; %d of %d runs were skipped\n", said.text,
                 all - c->count, all);
         contest_tell_unsearched(c);
-    } else {
-        TRY(st ? status_fail(why, st, "%s", said.text) : st);
+        st = STATUS_OK;
     }
-out:
     measurement_tell("compare", &j->taken, j->folder);
-    return st;
+    return st ? status_fail(why, st, "%s", said.text) : st;
 }
 
 /* --- all runs --- */

@@ -24,16 +24,22 @@ if(GIT AND EXISTS ${SOURCE}/.git)
   endif()
 endif()
 
-# Of other folders none has a say in a run's numbers.
-set(patterns ${SOURCE}/CMakeLists.txt ${SOURCE}/bench/truth/truth_level.c
-  ${SOURCE}/bench/experiment/measurement.c ${SOURCE}/bench/sweep/sweep.c)
+# Of other folders none has a say in a run's numbers, nor has the version.
+set(digests "")
+if(EXISTS ${SOURCE}/CMakeLists.txt)
+  file(STRINGS ${SOURCE}/CMakeLists.txt digests)
+  list(FILTER digests EXCLUDE REGEX "^project\\(")
+endif()
 string(REPLACE "," ";" FOLDERS ${FOLDERS})
+set(patterns "")
 foreach(folder models bench/harness ${FOLDERS})
   list(APPEND patterns ${SOURCE}/${folder}/*.c ${SOURCE}/${folder}/*.h)
 endforeach()
 file(GLOB_RECURSE sources RELATIVE ${SOURCE} ${patterns})
+file(GLOB more RELATIVE ${SOURCE} ${SOURCE}/bench/truth/truth_level.c
+  ${SOURCE}/bench/experiment/measurement.c)
+list(APPEND sources ${more})
 list(SORT sources)
-set(digests "")
 foreach(name IN LISTS sources)
   file(SHA256 ${SOURCE}/${name} digest)
   string(APPEND digests "${name} ${digest}\n")

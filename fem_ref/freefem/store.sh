@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Recomputes the stored FreeFEM fields, tests/reference/freefem_*.csv (about 25 minutes on one core),
 # or those named: fem_ref/freefem/store.sh [FOLDER [NAME...]]. Exit code 2 where FreeFEM is missing.
+# morley_plate is a plate of Morley's triangles, with its mesh, without an error bar: our own must agree.
 # Each file holds the finest run. Its error bar is measured, by rms differences over the points:
 # mesh_error_m is what second order leaves at n boxes a side of the difference d to m < n boxes,
 # d / ((n/m)^2 - 1) (observed orders: 2.2 to 2.6); step_error_m is the difference between this time
@@ -68,3 +69,20 @@ store static_h100mm_nu049 0.1 0 0.49 12 4 9 3
 store static_h10mm 0.01 0 0.3 20 1 16 1
 store transient_h10mm 0.01 400 0.3 20 1 16 1
 store transient_h1mm 0.001 400 0.3 20 1 16 1 6
+
+morley() { # NAME CELLS POISSON
+    [ "$wanted" = "  " ] || [[ $wanted = *" $1 "* ]] || return 0
+    FreeFem++ -nw -v 0 "$here/morley.edp" -out "$work/$1" -cells "$2" -poisson "$3" >"$work/log"
+    cat - "$work/$1.csv" >"$target/freefem_$1.csv" <<TEXT
+# Heights w of a plate 1 m x 1 m of D = 1, clamped on x = 0, small deflections, under the weights of its
+# vertices' areas: Morley's triangle in FreeFEM on freefem_$1.obj, a row per vertex. Computed for this
+# project by fem_ref/freefem/store.sh.
+# script: fem_ref/freefem/morley.edp
+# script_sha256: $(sha256sum <"$here/morley.edp" | cut -d' ' -f1)
+# freefem: Debian $(dpkg-query -W -f '${Version}' freefem++)
+# date: $(date -u +%F)
+# poisson: $3
+TEXT
+    mv "$work/$1.obj" "$target/freefem_$1.obj" && echo "$target/freefem_$1.csv" >&2
+}
+morley morley_plate 12 0.3

@@ -1,5 +1,6 @@
 /* A heavy strip at rest on meshes of any shape: mid-edge bending converges on each of them
- * with second order to the elastica; hinges do not, and leave what their mesh is.
+ * with second order to the elastica; hinges do not, and leave what their mesh is. At small
+ * deflections a plate on triangles is that of FreeFEM's Morley element on the same mesh.
  */
 #include "triangles/tri_model.h"
 
@@ -7,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "fem_ref/reference.h"
 #include "tests/check.h"
 
 /* Weight against bending, the curvature at the root times the length (heavy_elastica.csv),
@@ -64,8 +66,9 @@ static void open_model(struct tri_motion *m, const struct scene *scene, const ch
 {
     struct discretization d;
     struct message why = {""};
-    char mesh[16];
+    char mesh[4096];
 
+    REQUIRE(strlen(name) < sizeof mesh);
     model_defaults(&tri_model, &d);
     d.points[0] = d.points[1] = points;
     d.mesh = strcpy(mesh, name), d.seed = seed, d.bending = bending;
@@ -124,6 +127,45 @@ static double error_on(const struct strip *strip, const char *name, int seed, in
     return sqrt(sum) / SAMPLES;
 }
 
+/* The height of a plate of D = 1 under the weight 1, as FreeFEM has it. */
+static void check_morley(void)
+{
+    const double SMALL = 1e-6;   /* deflections over those; the next order is its square */
+    const double DIGITS = 1e-10; /* two factorisations of a matrix of condition 1e5 */
+    const struct strip plate = {SMALL, 0, 0.01};
+    struct scene scene;
+    struct message why = {""};
+    struct counters counters = {0};
+    struct reference *table;
+    struct tri_motion *m = calloc(1, sizeof *m);
+    double worst = 0, most = 0;
+
+    REQUIRE(m && !reference_open(REFERENCE_DIR "/freefem_morley_plate.csv", &table, &why));
+    fill_scene(&scene, &plate);
+    scene.poisson = reference_note_number(table, "poisson");
+    scene.young *= 1 - scene.poisson * scene.poisson;
+    open_model(m, &scene, REFERENCE_DIR "/freefem_morley_plate.obj", 0, 2, BENDING_MIDEDGE,
+               TRI_ARC_OFF);
+    if (!CHECK(tri_model.equilibrium(m, &counters, &why) == STATUS_OK))
+        printf("%s\n", why.text);
+    CHECK(reference_rows(table) > 100);
+    for (int n = 0; n < reference_rows(table); n++) {
+        const double uvw[3] = {reference_number(table, n, "x"),
+                               reference_number(table, n, "y"), 0.5};
+        const double want = reference_number(table, n, "w");
+        double xyz[3];
+        tri_model.probe(m, 1, uvw, xyz);
+        worst = fmax(worst, fabs(-xyz[2] / SMALL - want));
+        most = fmax(most, fabs(want));
+    }
+    CHECK_NEAR(worst / most, 0, DIGITS);
+    REQUIRE(reference_fault(table, &why) == STATUS_OK);
+    reference_close(table);
+    tri_model.clear(m);
+    free(m);
+    scene_clear(&scene);
+}
+
 int main(void)
 {
     static const struct {
@@ -135,6 +177,7 @@ int main(void)
     const double MOST[2] = {1.5e-3, 4e-4}, ORDER = 1.7, HINGES = 2e-3,
                  FREQUENCY = 5e-3; /* (k l)^2 of the mode's first quarter wave, 21 points */
 
+    check_morley();
     for (size_t n = 0; n < 2 * sizeof meshes / sizeof *meshes; n++) {
         const enum bending bending = n % 2 ? BENDING_QUADRATIC : BENDING_MIDEDGE;
         const char *name = meshes[n / 2].name;

@@ -85,6 +85,7 @@ static void add_swing(struct verify_subject *s)
 static const struct verify_subject resting[] = {
     {"shell_selective_3", REST, {30}},
     {"shell_3,iga_selective_3", REST, {30}, .dear = true},
+    VERIFY_MESH("irregular", true, "irregular", NULL, REST, {40}),
     {NULL}};
 static const struct verify_subject moving[] = {
     {"shell_selective_3,shell_3", MOTION, {30}, .dear = true}, {NULL}};

@@ -188,8 +188,10 @@ static int at_least(int points, int degree)
 }
 
 /* Returns whether lines of points are where a grid's are. */
-static bool has_lines(const struct discretization *d)
+static bool has_lines(const struct scene *scene, const struct discretization *d)
 {
+    if (scene->pattern)
+        return false;
     return !d->mesh || !strcmp(d->mesh, "grid") || !strcmp(d->mesh, "diagonal");
 }
 
@@ -203,7 +205,7 @@ static bool add_points(const struct model *model, const struct scene *scene,
 
     for (int i = 0; i < 2; i++) {
         const int points = d->points[i];
-        if (!open[i] || d->knot_count[i] || !has_lines(d) || points <= d->degree[i])
+        if (!open[i] || d->knot_count[i] || !has_lines(scene, d) || points <= d->degree[i])
             continue;
         d->points[i] += model->extra_points ? model->extra_points(scene, d, i) : 0;
         const int fit = support_lines_points(scene, i, d->points[i], d->degree[i]);

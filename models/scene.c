@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "models/grid.h"
+#include "models/pattern.h"
 #include "models/vector.h"
 
 /* The round-off of u, in columns of the grid. */
@@ -27,6 +27,8 @@ void scene_clear(struct scene *scene)
     free(scene->source);
     free(scene->about);
     free(scene->text);
+    pattern_free(scene->pattern);
+    free(scene->pattern_file);
     memset(scene, 0, sizeof *scene);
 }
 
@@ -152,6 +154,8 @@ unsigned scene_needs(const struct scene *scene)
             needs |= SCENE_NEED_OWN_MATERIALS;
     if (scene->load_count > 0)
         needs |= SCENE_NEED_LOADS;
+    if (scene->pattern)
+        needs |= SCENE_NEED_OUTLINE;
     if (scene->pressure != 0)
         needs |= SCENE_NEED_PRESSURE;
     if (scene->drag > 0)
@@ -190,6 +194,16 @@ void scene_needs_text(unsigned needs, char *text, int size)
         used += snprintf(text + used, (size_t)(size - used), "%s%s", used ? ", " : "",
                          sentence[bit]);
     }
+}
+
+double scene_area(const struct scene *scene)
+{
+    return scene->pattern ? scene->pattern->area : scene->length * scene->width;
+}
+
+bool scene_void(const struct scene *scene, int i, int j)
+{
+    return scene->pattern && !scene->pattern->on[j][i];
 }
 
 const char *const scene_shape_words[] = {
@@ -309,9 +323,9 @@ bool scene_is_cantilever(const struct scene *scene)
 {
     const struct scene_support *s = scene->supports;
 
-    return scene->sheets < 2 && scene->support_count == 1 && s->lo[0] == 0 &&
-           s->hi[0] == 0 && s->lo[1] == 0 && s->hi[1] == 1 && s->lo[2] == 0 &&
-           s->hi[2] == 1 && s->fix == FIX_XYZ && !SCENE_MOVES(s->motion);
+    return scene->sheets < 2 && !scene->pattern && scene->support_count == 1 &&
+           s->lo[0] == 0 && s->hi[0] == 0 && s->lo[1] == 0 && s->hi[1] == 1 &&
+           s->lo[2] == 0 && s->hi[2] == 1 && s->fix == FIX_XYZ && !SCENE_MOVES(s->motion);
 }
 
 bool scene_edge_clamped(const struct scene *scene, int sheet, int i, bool end)
@@ -336,8 +350,9 @@ bool scene_edge_clamped(const struct scene *scene, int sheet, int i, bool end)
 
 bool scene_same_across(const struct scene *s)
 {
-    bool same = s->shape == SCENE_FLAT && !s->is_fabric && !s->obstacle_count &&
-                !scene_ripples(s) && vector_dot(s->gravity, s->axis_v) == 0 &&
+    bool same = s->shape == SCENE_FLAT && !s->pattern && !s->is_fabric &&
+                !s->obstacle_count && !scene_ripples(s) &&
+                vector_dot(s->gravity, s->axis_v) == 0 &&
                 vector_dot(s->wind, s->axis_v) == 0 &&
                 vector_dot(s->velocity, s->axis_v) == 0 && vector_length(s->spin) == 0;
 

@@ -91,6 +91,8 @@ enum obstacle_kind {
     OBSTACLE_KINDS
 };
 
+struct pattern;
+
 struct obstacle_mesh; /* models/contact/contact_mesh.h; one piece of memory */
 
 /* A body that the sheet may not enter; rigid. Places are those without its motion. */
@@ -126,6 +128,9 @@ struct scene {
         };
     };
     struct scene_own own[SCENE_MAX_SHEETS]; /* materials of sheets that have their own */
+    struct pattern *pattern; /* of a sheet that is no rectangle (pattern.h), in the box of
+                                length and width; NULL: it is one               owned    */
+    char *pattern_file; /* of its mesh, as the scene names it; NULL: none       owned    */
     enum scene_shape shape; /* at rest                                       */
     double opening, flare;  /* angles of a cloak; opening 360: closed  [deg] */
 
@@ -180,7 +185,8 @@ struct scene {
     X(SELF_CONTACT, "contact of the sheet with itself")                                    \
     X(SHEETS, "several sheets")                                                            \
     X(OWN_MATERIALS, "sheets with materials of their own")                                 \
-    X(TURNING_CLAMPS, "clamps that turn")
+    X(TURNING_CLAMPS, "clamps that turn")                                                  \
+    X(OUTLINE, "outlines other than a rectangle, a cone and a ring")
 
 enum scene_need_bit {
 #define SCENE_NEED_BIT(name, sentence) SCENE_NEED_BIT_##name,
@@ -198,6 +204,13 @@ enum { SCENE_NEED_ALL = SCENE_NEED_LIST(SCENE_NEED_ALL_OF) 0 };
 #undef SCENE_NEED_ALL_OF
 
 unsigned scene_needs(const struct scene *scene);
+
+/* Returns the area of one sheet at rest [m^2]. */
+double scene_area(const struct scene *scene);
+
+/* Tells whether the point (i, j) of the material grid is beside the sheet: a field has NaN
+ * there. */
+bool scene_void(const struct scene *scene, int i, int j);
 
 /* Writes the names of the bits, comma-separated, into text[size]. */
 enum { SCENE_NEEDS_TEXT = 1024 }; /* room for all of them */

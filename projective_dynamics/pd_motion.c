@@ -301,8 +301,8 @@ enum status pd_motion_init(struct pd_motion *m, const struct scene *scene,
     *m = (struct pd_motion){.scene = scene, .options = *options};
     m->dt = scene->step / options->substeps;
     m->span = options->second ? 2 * m->dt / 3 : m->dt;
-    TRY(mesh_make(&m->mesh, scene, &d, mesh_is_grid(&d) ? MESH_NO_NODES : MESH_SLOPES,
-                  why));
+    TRY(mesh_make(&m->mesh, scene, &d,
+                  mesh_is_grid(scene, &d) ? MESH_NO_NODES : MESH_SLOPES, why));
     TRY(supports_init(&m->supports, scene, mesh->nodes, mesh->uvw, mesh->rest, why));
     TRY(pd_energy_init(&m->energy, scene, mesh, options->constraint, options->parameters));
     m->alpha = mass_damping(scene, &m->energy, options->parameters);

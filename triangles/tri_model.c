@@ -152,11 +152,14 @@ static enum status refuse(const struct scene *scene, const struct discretization
 {
     const unsigned needs = scene_needs(scene);
     const enum membrane membrane = OWN(tri_own, d)->membrane;
-    const bool grid = mesh_is_grid(d), meshed = !grid || d->bending == BENDING_MIDEDGE,
+    const bool grid = mesh_is_grid(scene, d),
+               meshed = !grid || d->bending == BENDING_MIDEDGE,
                springs = membrane == MEMBRANE_SPRINGS,
                leaps = d->integrator == INTEGRATOR_LEAPFROG,
                hinges = d->bending == BENDING_HINGE;
+    const char *lacks = scene->pattern ? net_mesh_lacks(scene, d, springs) : "";
     const struct net_refusal rows[] = {
+        {*lacks, lacks},
         {springs && !meshed,
          "membrane=springs: of a mesh, or with bending=midedge; springs of a grid are the "
          "model mass_spring"},
@@ -193,7 +196,7 @@ static enum status init(void *state, const struct scene *scene,
     struct tri_motion *m = state;
 
     TRY(refuse(scene, d, why));
-    m->meshed = !mesh_is_grid(d) || d->bending == BENDING_MIDEDGE, m->asked = *d;
+    m->meshed = !mesh_is_grid(scene, d) || d->bending == BENDING_MIDEDGE, m->asked = *d;
     TRY(net_init(&m->net, scene, d, why));
     if (m->meshed) {
         TRY(tri_shell_init(&m->shell, scene, &m->net.mesh, OWN(tri_own, d)->membrane,

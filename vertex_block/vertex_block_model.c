@@ -271,7 +271,7 @@ static enum status refuse(const struct scene *scene, const struct discretization
     const char *lacks = net_mesh_lacks(scene, d, OWN(vb_own, d)->elements == VB_SPRINGS);
     const struct net_refusal rows[] = {
         {*lacks, lacks},
-        {d->bending == BENDING_HINGE && !mesh_is_grid(d),
+        {d->bending == BENDING_HINGE && !mesh_is_grid(scene, d),
          "bending=hinge: of a grid only; a clamp's hinge on a mesh has a point that is "
          "none "
          "of the net, which a sweep over points does not move"},

@@ -15,6 +15,7 @@
 #include "models/mechanics/supports.h"
 #include "models/net/hinge_mesh.h"
 #include "models/net/hinge_rule.h"
+#include "models/pattern.h"
 #include "models/net/spring_net.h"
 #include "models/reader/scene_file.h"
 #include "models/reader/scene_schema.h"
@@ -1582,25 +1583,44 @@ static enum status read_scene(struct export_job *j, const struct command_line *l
     return STATUS_OK;
 }
 
+/* Reads how fine the sheet is to be: --points, a mesh of one's own, or the scene's. */
+static enum status read_fineness(struct export_job *j, const struct command_line *line,
+                                 struct discretization *d, struct message *why)
+{
+    const bool points = command_given(line, "--points"),
+               mesh = command_given(line, "--mesh");
+    const struct pattern *p = j->scene.pattern;
+
+    if (p && (mesh || (points && p->mesh.nodes)))
+        return status_fail(why, STATUS_INPUT,
+                           "%s: %s has a mesh of its own%s; leave it out",
+                           mesh ? "--mesh" : "--points", j->scene.name,
+                           p->mesh.nodes ? "" : ", which --points N,M makes finer");
+    if (points == mesh && !(p && p->mesh.nodes))
+        return status_fail(why, STATUS_INPUT,
+                           "export needs --points N,M, as in --points 21,21%s",
+                           p ? "" : ", or --mesh FILE.obj");
+    if (points)
+        CALL(command_pair(line, "--points", 2, EXPORT_SHEET_MOST, j->sheet.points, why));
+    memcpy(d->points, j->sheet.points, sizeof j->sheet.points);
+    d->mesh = (char *)command_value(line, "--mesh");
+    return STATUS_OK;
+}
+
 /* Checks the whole request before anything is written. */
 static enum status prepare(struct export_job *j, const struct command_line *line,
                            struct message *why)
 {
     const char *format = command_value(line, "--format");
+    struct discretization d = {.points = {2, 2, 1}};
 
-    const struct discretization d = {.mesh = (char *)command_value(line, "--mesh")};
-    if (command_given(line, "--points") == !!d.mesh)
-        return status_fail(
-            why, STATUS_INPUT,
-            "export needs --points N,M, as in --points 21,21, or --mesh FILE.obj");
     if (!command_given(line, "--out"))
         return status_fail(why, STATUS_INPUT, "export needs --out FOLDER, a new one");
-    if (!d.mesh)
-        CALL(command_pair(line, "--points", 2, EXPORT_SHEET_MOST, j->sheet.points, why));
     if (format && strcmp(format, "obj") && strcmp(format, "ply") && strcmp(format, "csv"))
         return status_fail(why, STATUS_INPUT, "--format %s: obj, ply or csv would be right",
                            format);
     CALL(read_scene(j, line, why));
+    CALL(read_fineness(j, line, &d, why));
     if (scene_needs(&j->scene) & SCENE_NEED_OWN_MATERIALS)
         return status_fail(
             why, STATUS_UNSUPPORTED,
@@ -1610,7 +1630,7 @@ static enum status prepare(struct export_job *j, const struct command_line *line
     j->sheet.scene = &j->scene;
     if (d.mesh && (scene_sheets(&j->scene) > 1 || j->scene.shape != SCENE_FLAT))
         return status_fail(why, STATUS_UNSUPPORTED, "--mesh: of one flat sheet only");
-    if (d.mesh) {
+    if (d.mesh || j->scene.pattern) {
         CALL(mesh_make(&j->mesh, &j->scene, &d, MESH_NO_NODES, why));
         j->sheet.mesh = &j->mesh;
         const struct law law = scene_law(&j->scene);

@@ -29,6 +29,16 @@ static void describe_discretization(const struct discretization *d, FILE *file)
     fprintf(file, "%s\n", d->weight_count ? ", weights as given" : "");
 }
 
+/* Says of a sheet that is no rectangle what it has of its box. */
+static struct message shape_of(const struct scene *scene)
+{
+    struct message text = {""};
+
+    if (scene->pattern)
+        status_fail(&text, STATUS_OK, "%.4g m^2 with an outline in ", scene_area(scene));
+    return text;
+}
+
 static void describe_fabric(const struct scene *scene, FILE *file)
 {
     const struct law_fabric *f = &scene->fabric;
@@ -36,11 +46,11 @@ static void describe_fabric(const struct scene *scene, FILE *file)
 
     fprintf(
         file,
-        "scene           %s: %g x %g m; a fabric of %g kg/m^2, warp at %g degrees to u\n"
+        "scene           %s: %s%g x %g m; a fabric of %g kg/m^2, warp at %g degrees to u\n"
         "membrane        Y11 %g, Y22 %g, Y12 %g, G %g N/m\n"
         "bending         B1 %g, B2 %g, B12 %g, B66 %g N m; h_eff %.4g m\n",
-        scene->name, scene->length, scene->width, f->areal_density, f->warp, Y[0], Y[1],
-        Y[2], Y[3], B[0], B[1], B[2], B[3], scene->thickness);
+        scene->name, shape_of(scene).text, scene->length, scene->width, f->areal_density,
+        f->warp, Y[0], Y[1], Y[2], Y[3], B[0], B[1], B[2], B[3], scene->thickness);
     const struct law law = scene_law(scene);
     if (law.softens)
         fprintf(file,
@@ -54,10 +64,10 @@ static void describe_scene(const struct scene *scene, FILE *file)
         describe_fabric(scene, file);
     else
         fprintf(file,
-                "scene           %s: %g x %g m, h = %g m, E = %g Pa, nu = %g, rho = %g "
+                "scene           %s: %s%g x %g m, h = %g m, E = %g Pa, nu = %g, rho = %g "
                 "kg/m^3\n",
-                scene->name, scene->length, scene->width, scene->thickness, scene->young,
-                scene->poisson, scene->density);
+                scene->name, shape_of(scene).text, scene->length, scene->width,
+                scene->thickness, scene->young, scene->poisson, scene->density);
     for (int k = 0; k < scene->sheets; k++) {
         const struct scene_own *own = &scene->own[k];
         if (own->density > 0)

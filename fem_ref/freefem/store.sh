@@ -70,11 +70,11 @@ store static_h10mm 0.01 0 0.3 20 1 16 1
 store transient_h10mm 0.01 400 0.3 20 1 16 1
 store transient_h1mm 0.001 400 0.3 20 1 16 1 6
 
-morley() { # NAME CELLS POISSON
+morley() { # NAME CELLS POISSON HOLE WHAT
     [ "$wanted" = "  " ] || [[ $wanted = *" $1 "* ]] || return 0
-    FreeFem++ -nw -v 0 "$here/morley.edp" -out "$work/$1" -cells "$2" -poisson "$3" >"$work/log"
+    FreeFem++ -nw -v 0 "$here/morley.edp" -out "$work/$1" -cells "$2" -poisson "$3" -hole "$4" >"$work/log"
     cat - "$work/$1.csv" >"$target/freefem_$1.csv" <<TEXT
-# Heights w of a plate 1 m x 1 m of D = 1, clamped on x = 0, small deflections, under the weights of its
+# Heights w of $5 of D = 1, small deflections, under the weights of its
 # vertices' areas: Morley's triangle in FreeFEM on freefem_$1.obj, a row per vertex. Computed for this
 # project by fem_ref/freefem/store.sh.
 # script: fem_ref/freefem/morley.edp
@@ -85,4 +85,5 @@ morley() { # NAME CELLS POISSON
 TEXT
     mv "$work/$1.obj" "$target/freefem_$1.obj" && echo "$target/freefem_$1.csv" >&2
 }
-morley morley_plate 12 0.3
+morley morley_plate 12 0.3 0 "a plate 1 m x 1 m, clamped on x = 0,"
+morley morley_hole 12 0.3 1 "a trapezoid with a round hole, clamped on y = 0,"

@@ -162,6 +162,8 @@ double contact_shape_least_gap(const struct scene *scene, double t, long count,
         for (long n = 0; n < count; n++) {
             double gap =
                 contact_shape_near(&scene->obstacles[o], &pose, x + 3 * n, least, NULL);
+            if (isnan(gap) && scene->pattern)
+                continue;
             if (isnan(gap))
                 return NAN;
             least = fmin(least, gap);

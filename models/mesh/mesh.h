@@ -22,7 +22,7 @@
 #include "models/contact/contact_surface.h"
 #include "models/discretization.h"
 #include "models/mechanics/supports.h"
-#include "models/mesh/mesh_flat.h"
+#include "models/mesh_flat.h"
 
 struct mesh {
     int nodes;      /* points, and turns behind them                                   */
@@ -60,8 +60,8 @@ enum status mesh_make(struct mesh *mesh, const struct scene *scene,
                       struct message *why);
 void mesh_clear(struct mesh *mesh);
 
-/* Tells whether a discretization asks for a grid. */
-bool mesh_is_grid(const struct discretization *d);
+/* Tells whether a discretization asks for a grid, which a sheet with an outline has not. */
+bool mesh_is_grid(const struct scene *scene, const struct discretization *d);
 
 /* A triangle in the sheet's plane: its area, and of the sides across from its points the
  * lengths, directions and outward normals. */

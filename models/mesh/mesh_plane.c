@@ -4,15 +4,17 @@
 #include <string.h>
 
 #include "models/mesh/mesh.h"
+#include "models/pattern_mesh.h"
+#include "models/reader/pattern_file.h"
 #include "models/room.h"
 
 /* Where a load acts along a line that may run along edges: so far, in shares of the sheet,
  * beside it. */
 static const double BESIDE = 1e-9;
 
-bool mesh_is_grid(const struct discretization *d)
+bool mesh_is_grid(const struct scene *scene, const struct discretization *d)
 {
-    return !d->mesh || !strcmp(d->mesh, "grid");
+    return !scene->pattern && (!d->mesh || !strcmp(d->mesh, "grid"));
 }
 
 static const double *at(const struct mesh *mesh, int triangle, int corner)
@@ -199,18 +201,41 @@ void mesh_weigh_edges(const struct mesh *mesh, double areal, double *mass)
     }
 }
 
+/* Takes the scene's own triangles, or makes some: as many points in the box as a grid of
+ * d->points would have. */
+static enum status make_outline(struct mesh_flat *flat, const struct scene *scene,
+                                const struct discretization *d)
+{
+    const struct mesh_flat *own = &scene->pattern->mesh;
+    const double cells = (d->points[0] - 1.) * (d->points[1] - 1.);
+
+    if (!own->nodes)
+        return pattern_mesh(scene, sqrt(scene->length * scene->width / cells / sqrt(0.75)),
+                            d->seed, flat);
+    const enum status st = mesh_flat_make(flat, own->nodes, own->triangles);
+    if (st != STATUS_OK)
+        return st;
+    flat->nodes = own->nodes, flat->triangles = own->triangles;
+    memcpy(flat->at, own->at, (size_t)own->nodes * sizeof *own->at);
+    memcpy(flat->triangle, own->triangle, (size_t)own->triangles * sizeof *own->triangle);
+    return STATUS_OK;
+}
+
 static enum status make_flat(struct mesh_flat *flat, const struct scene *scene,
                              const struct discretization *d, struct message *why)
 {
     const bool irregular = d->mesh && !strcmp(d->mesh, "irregular");
     const bool diagonal = d->mesh && !strcmp(d->mesh, "diagonal");
+    const double side[2] = {scene->length, scene->width};
     enum status st;
 
-    if (mesh_is_grid(d) || irregular || diagonal)
+    if (scene->pattern)
+        TRY(make_outline(flat, scene, d));
+    else if (mesh_is_grid(scene, d) || irregular || diagonal)
         TRY(mesh_flat_grid(flat, scene, d->points, !diagonal));
     else
-        TRY(mesh_flat_read(flat, scene, d->mesh, why));
-    if (irregular)
+        TRY(pattern_file_read(d->mesh, side, flat, why));
+    if (irregular && !scene->pattern)
         TRY(mesh_flat_jitter(flat, scene, d->points, d->seed));
     for (int n = 0; n < d->refine; n++)
         TRY(mesh_flat_refine(flat));
@@ -226,16 +251,16 @@ enum status mesh_make(struct mesh *mesh, const struct scene *scene,
     struct mesh new = {.size = {scene->length, scene->width}};
     enum status st;
 
-    if (mesh_is_grid(d) && !turns)
+    if (mesh_is_grid(scene, d) && !turns)
         return mesh_init(mesh, scene, d->points);
     TRY(make_flat(&new.flat, scene, d, why));
     TRY(mesh_flat_edges(&new.flat, &new.edge, &new.edges, &new.side));
     new.vertices = new.flat.nodes;
     new.nodes = new.vertices + (turns ? new.edges : 0);
-    new.scale = sqrt(scene->length * scene->width / new.vertices);
+    new.scale = sqrt(scene_area(scene) / new.vertices);
     new.points[0] = 1, new.points[1] = new.nodes;
     new.cell[0] = new.cell[1] = new.scale;
-    if (mesh_is_grid(d) && !d->refine) {
+    if (mesh_is_grid(scene, d) && !d->refine) {
         new.rows = new.points[0] = d->points[0], new.points[1] = d->points[1];
         new.cell[0] = scene->length / (d->points[0] - 1);
         new.cell[1] = scene->width / (d->points[1] - 1);

@@ -4,7 +4,11 @@
 #include <string.h>
 
 #include "models/grid.h"
+#include "models/pattern.h"
 #include "models/vector.h"
+
+/* So near, in steps, a place is a point of the material grid. */
+static const double ON_GRID = 1e-9;
 
 /* One sheet of a grid. */
 struct sheet {
@@ -132,13 +136,34 @@ static void add_normal(const struct mesh *mesh, const struct mesh_field *field, 
         normal[c] += n[c];
 }
 
-/* Evaluates the triangles and the mean normal of their points, added to off. */
-static void evaluate_triangle(const struct mesh *mesh, const struct mesh_field *field,
-                              const double *uv, double xyz[3], double *off)
+/* Tells whether a place is beside a sheet with an outline, which a triangle at these
+ * weights may have been found to be nearest to. */
+static bool is_beside(const struct scene *scene, const double *uv, int t,
+                      const double weight[3])
+{
+    if (!scene->pattern || (t >= 0 && fmin(weight[0], fmin(weight[1], weight[2])) >= 0))
+        return false;
+    const double i = uv[0] * (GRID_U - 1), j = uv[1] * (GRID_V - 1);
+    if (fabs(i - round(i)) < ON_GRID && fabs(j - round(j)) < ON_GRID)
+        return scene_void(scene, (int)round(i), (int)round(j));
+    return t < 0 ||
+           !pattern_has(scene->pattern, uv[0] * scene->length, uv[1] * scene->width);
+}
+
+/* Evaluates the triangles and the mean normal of their points, added to off; NaN beside the
+ * sheet. */
+static void evaluate_triangle(const struct mesh *mesh, const struct scene *scene,
+                              const struct mesh_field *field, const double *uv,
+                              double xyz[3], double *off)
 {
     double weight[3];
-    const int t = mesh_find(mesh, uv, weight), *v = mesh->flat.triangle[t];
+    const int t = mesh_find(mesh, uv, weight);
 
+    if (is_beside(scene, uv, t, weight)) {
+        xyz[0] = xyz[1] = xyz[2] = NAN;
+        return;
+    }
+    const int *v = mesh->flat.triangle[t];
     for (int c = 0; c < 3; c++) {
         const double *x = field->x + c * field->component;
         xyz[c] = weight[0] * x[v[0] * field->node] + weight[1] * x[v[1] * field->node] +
@@ -165,7 +190,7 @@ void mesh_sample(const struct mesh *mesh, const struct scene *scene,
                 scene_sheet_at(scene, uvw[0], &u) * sheet.n * sheet.m * field->node;
             (field->degree ? evaluate_spline : evaluate)(&sheet, u, uvw[1], xyz, off);
         } else {
-            evaluate_triangle(mesh, field, uvw, xyz, off);
+            evaluate_triangle(mesh, scene, field, uvw, xyz, off);
         }
         double length = vector_length(off);
         for (int c = 0; c < 3 && length > 0; c++)

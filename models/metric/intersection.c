@@ -38,11 +38,15 @@ void intersection_corners(int n_u, int triangle, int corner[3])
     corner[2] = triangle % 2 ? first + n_u : first + n_u + 1;
 }
 
-/* Tells whether a cell of the grid lies between two sheets. */
+/* Tells whether a cell of the grid lies between two sheets, or has a corner that is beside
+ * one. */
 static bool is_void(const struct intersection *s, int cell)
 {
-    const int i = s->step * (cell % (s->n_u - 1));
+    const int column = cell % (s->n_u - 1), i = s->step * column;
+    const double *p = s->point + 3L * (cell / (s->n_u - 1) * s->n_u + column);
 
+    if (s->sparse && isnan(p[0] + p[3] + p[3L * s->n_u] + p[3L * s->n_u + 3]))
+        return true;
     return s->sheets > 1 && grid_sheet(s->sheets, i) != grid_sheet(s->sheets, i + s->step);
 }
 
@@ -97,7 +101,7 @@ static enum status scale_points(struct intersection *s, const double *xyz)
     int exponent;
 
     for (long i = 0; i < n; i++) {
-        if (!isfinite(xyz[i]))
+        if (!isfinite(xyz[i]) && !(s->sparse && isnan(xyz[i])))
             return STATUS_NAN;
         size = fmax(size, fabs(xyz[i]));
     }
@@ -130,7 +134,7 @@ static void fit_cells(const struct intersection *s, const struct intersection_le
             const double *p = s->point + 3 * ((long)j * s->n_u + i), *q = p + 3 * s->n_u;
             double *box = cells->box[(long)j * cells->n_u + i];
             memcpy(box, empty, sizeof empty);
-            if (is_void(s, i))
+            if (is_void(s, j * cells->n_u + i))
                 continue;
             join(box, p, p);
             join(box, p + 3, p + 3);

@@ -46,6 +46,8 @@ struct intersection {
     double shake;                    /* set by the caller: points are moved by up to so
                                         much, each otherwise, so that none lies on the
                                         plane of others; 0: not [m]                    */
+    bool sparse;                     /* set by the caller: NaN is a place of a field that is
+                                        beside the sheet                               */
     long most;                       /* set by the caller: end a count at about so many
                                         pairs, lest a heap take for ever; 0: no end    */
     struct intersection_pair *pairs; /* [pair_count], ascending                 owned  */

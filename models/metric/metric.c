@@ -29,24 +29,40 @@ double metric_rmse(const double *a, const double *b)
 {
     /* sums rows first, then the sum of rows: less round-off than one long sum */
     double sum = 0;
+    int beside = 0; /* coordinates that neither has */
     for (int row = 0; row < GRID_V * GRID_W; row++) {
         const double *p = a + row * ROW, *q = b + row * ROW;
         double part = 0;
-        for (int n = 0; n < ROW; n++)
-            part += (p[n] - q[n]) * (p[n] - q[n]);
+        for (int n = 0; n < ROW; n++) {
+            if (isnan(p[n]) && isnan(q[n]))
+                beside++;
+            else
+                part += (p[n] - q[n]) * (p[n] - q[n]);
+        }
         sum += part;
     }
-    return sqrt(sum / GRID_POINTS);
+    return sqrt(sum / (GRID_POINTS - beside / 3));
 }
 
-/* Returns the largest singular value of the 3x2 gradient at mid-surface point (i,j). */
+/* Tells whether (i,j) is a point of the sheet, next to one that is. */
+static bool is_there(const struct scene *scene, int i, int j)
+{
+    return i >= 0 && i < GRID_U && j >= 0 && j < GRID_V && !scene_void(scene, i, j);
+}
+
+/* Returns the largest singular value of the 3x2 gradient at mid-surface point (i,j); 0
+ * where an outline leaves no neighbour along u or v. */
 static double largest_stretch(const struct metric_rest *rest, const double *xyz, int i,
                               int j)
 {
-    const int sheets = rest->scene->sheets;
-    int i0 = i > 0 && !grid_cut(sheets, i - 1) ? i - 1 : i,
-        i1 = i < GRID_U - 1 && !grid_cut(sheets, i) ? i + 1 : i;
-    int j0 = j > 0 ? j - 1 : j, j1 = j < GRID_V - 1 ? j + 1 : j;
+    const struct scene *scene = rest->scene;
+    const int sheets = scene->sheets;
+    int i0 = is_there(scene, i - 1, j) && !grid_cut(sheets, i - 1) ? i - 1 : i,
+        i1 = is_there(scene, i + 1, j) && !grid_cut(sheets, i) ? i + 1 : i;
+    int j0 = is_there(scene, i, j - 1) ? j - 1 : j,
+        j1 = is_there(scene, i, j + 1) ? j + 1 : j;
+    if (scene_void(scene, i, j) || i0 == i1 || j0 == j1)
+        return 0;
     double west[3], east[3], south[3], north[3], fa[3], fb[3];
     struct metric_rest_step s = metric_rest_step(rest, i, j, i0, i1, j0, j1);
 
@@ -79,7 +95,10 @@ static double spread_of(const struct metric_rest *rest, const double *xyz)
             s[j][i] = largest_stretch(rest, xyz, i, j);
     for (int j = APART; j < GRID_V - APART; j++)
         for (int i = APART; i < GRID_U - APART; i++) {
-            if (grid_sheet(sheets, i - APART) != grid_sheet(sheets, i + APART))
+            if (grid_sheet(sheets, i - APART) != grid_sheet(sheets, i + APART) ||
+                !(s[j][i] * s[j][i - APART] * s[j][i + APART] * s[j - APART][i] *
+                      s[j + APART][i] !=
+                  0))
                 continue;
             const double off =
                 s[j][i] -
@@ -128,7 +147,7 @@ double metric_turn(const struct scene *scene, const int spans[2], const double *
     double sum = 0, here[3], next[3];
     int count = 0;
 
-    if (scene->shape != SCENE_FLAT || scene->sheets > 1)
+    if (scene->shape != SCENE_FLAT || scene->sheets > 1 || scene->pattern)
         return NAN;
     for (int l = 0; l < spans[1]; l++)
         for (int k = 0; k < spans[0]; k++) {
@@ -183,6 +202,8 @@ double metric_drop(const struct scene *scene, const double *xyz)
     for (int j = 0; j < GRID_V; j++)
         for (int i = 0; i < GRID_U; i++) {
             double x[3];
+            if (scene_void(scene, i, j))
+                continue;
             middle(xyz, i, j, x);
             double height = -vector_dot(x, direction);
             if (isnan(height))
@@ -238,6 +259,16 @@ static int margin_of(int steps, double share)
     return (int)fmax(1, ceil(share * steps));
 }
 
+/* Tells whether the grid points around (i,j) are all on the sheet. */
+static bool is_inside(const struct scene *scene, int i, int j)
+{
+    bool inside = true;
+
+    for (int k = 0; scene->pattern && k < 9; k++)
+        inside &= !scene_void(scene, i + k % 3 - 1, j + k / 3 - 1);
+    return inside;
+}
+
 /* Averages over the grid points that lie at least a share of a sheet from its edges. */
 static double roughness(const struct scene *scene, const double *xyz, double share)
 {
@@ -254,11 +285,14 @@ static double roughness(const struct scene *scene, const double *xyz, double sha
         const int steps = column[1] - column[0], along = margin_of(steps, share);
         for (int j = across; j < GRID_V - across; j++) {
             double part = 0;
-            for (int i = column[0] + along; i <= column[1] - along; i++)
+            for (int i = column[0] + along; i <= column[1] - along; i++) {
+                if (!is_inside(scene, i, j))
+                    continue;
                 part += squared_bending(&rest, xyz, i, j, scene->length / steps, db);
+                count++;
+            }
             sum += part;
         }
-        count += (steps + 1 - 2 * along) * (GRID_V - 2 * across);
     }
     metric_rest_clear(&rest);
     return scene->length * sqrt(sum / count);
@@ -284,6 +318,9 @@ static void add_unevenness(const struct scene *scene, const double *xyz,
         double row_bending = 0, row_change = 0;
         for (int i = column[0] + 1; i < column[1] - 1; i++) {
             double x[3][3], east[3][3], north[3][3];
+            if (!is_inside(scene, i, j) || !is_inside(scene, i + 1, j) ||
+                !is_inside(scene, i, j + 1))
+                continue;
             second(xyz, i, j, da, db, x);
             second(xyz, i + 1, j, da, db, east);
             second(xyz, i, j + 1, da, db, north);
@@ -348,7 +385,7 @@ static bool escaped(const struct scene *scene, double t, int n, const double car
  * it. */
 static void clip_to_flight(const struct scene *scene, double t, double shift[3])
 {
-    const double mass = scene->density * scene->length * scene->width * scene->thickness;
+    const double mass = scene->density * scene_area(scene) * scene->thickness;
     double centre[3], v[3], a[3], along = 0;
 
     scene_rest_point(scene, (const double[3]){0.5, 0.5, 0.5}, centre);
@@ -373,6 +410,7 @@ void metric_carried(const struct scene *scene, double t, int count, const double
                     const double *xyz, double shift[3])
 {
     unsigned held = 0;
+    int there = 0;
 
     memset(shift, 0, 3 * sizeof *shift);
     for (int s = 0; s < scene->support_count; s++)
@@ -381,14 +419,24 @@ void metric_carried(const struct scene *scene, double t, int count, const double
         return;
     for (int n = 0; n < count; n++) {
         double at[3], rest[3];
+        if (scene->pattern && isnan(xyz[3 * n]))
+            continue;
         if (!uvw)
             grid_point(n, at);
         scene_rest_point(scene, uvw ? uvw + 3 * n : at, rest);
         for (int c = 0; c < 3; c++)
             if (!(held & (FIX_X << c)))
                 shift[c] += (xyz[3 * n + c] - rest[c]) / count;
+        there++;
     }
+    for (int c = 0; c < 3 && there; c++)
+        shift[c] *= (double)count / there;
     clip_to_flight(scene, t, shift);
+}
+
+static bool is_beside(const struct scene *scene, int n)
+{
+    return scene_void(scene, n % GRID_U, n / GRID_U % GRID_V);
 }
 
 enum status metric_blowup(const struct scene *scene, double t, const double *xyz)
@@ -396,11 +444,11 @@ enum status metric_blowup(const struct scene *scene, double t, const double *xyz
     double carried[3];
 
     for (int n = 0; n < 3 * GRID_POINTS; n++)
-        if (!isfinite(xyz[n]))
+        if (!isfinite(xyz[n]) && !is_beside(scene, n / 3))
             return STATUS_NAN;
     metric_carried(scene, t, GRID_POINTS, NULL, xyz, carried);
     for (int n = 0; n < GRID_POINTS; n++)
-        if (escaped(scene, t, n, carried, xyz + 3 * n))
+        if (!is_beside(scene, n) && escaped(scene, t, n, carried, xyz + 3 * n))
             return STATUS_ESCAPED;
     return STATUS_OK;
 }
@@ -453,7 +501,7 @@ double metric_angle(const struct scene *scene, const double *xyz)
 
 double metric_intersections_every(const struct scene *scene, const double *xyz, int step)
 {
-    struct intersection work = {0};
+    struct intersection work = {.sparse = scene->pattern};
     long count;
     const enum status st =
         intersection_count_field(&work, scene->sheets, step, xyz, &count);

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "models/grid.h"
+#include "models/pattern.h"
 #include "models/vector.h"
 
 void metric_rest_clear(struct metric_rest *rest)
@@ -142,11 +143,42 @@ static double highest_in(const struct scene *scene, const double lo[3], const do
     return top;
 }
 
+/* Returns that of a sheet with an outline: of the box's corners that are on it, and of the
+ * outline's points in the box. */
+static double highest_of(const struct scene *scene, const double lo[3], const double hi[3],
+                         const double down[3])
+{
+    const struct pattern *p = scene->pattern;
+    const double size[2] = {scene->length, scene->width};
+    double top = -INFINITY;
+
+    for (int n = -4; n < p->points; n++) {
+        const int corner = n + 4;
+        const double uvw[3] = {n >= 0       ? p->at[n][0] / size[0]
+                               : corner % 2 ? hi[0]
+                                            : lo[0],
+                               n >= 0       ? p->at[n][1] / size[1]
+                               : corner / 2 ? hi[1]
+                                            : lo[1],
+                               0.5};
+        const bool there = n < 0 ? pattern_has(p, uvw[0] * size[0], uvw[1] * size[1])
+                                 : uvw[0] >= lo[0] && uvw[0] <= hi[0] && uvw[1] >= lo[1] &&
+                                       uvw[1] <= hi[1];
+        double x[3];
+        scene_rest_point(scene, uvw, x);
+        if (there)
+            top = fmax(top, -vector_dot(x, down));
+    }
+    return top;
+}
+
 double metric_rest_highest(const struct scene *scene, const double lo[3],
                            const double hi[3], const double down[3])
 {
     double top = -INFINITY, from[3], to[3];
 
+    if (scene->pattern)
+        return highest_of(scene, lo, hi, down);
     for (int k = 0; k < scene_sheets(scene); k++)
         if (part_in(scene, k, lo, hi, from, to))
             top = fmax(top, highest_in(scene, from, to, down));

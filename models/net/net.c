@@ -11,7 +11,12 @@
 const char *net_mesh_lacks(const struct scene *scene, const struct discretization *d,
                            bool springs)
 {
-    return mesh_is_grid(d) ? ""
+    const bool meets = scene->obstacle_count || scene->contact.self;
+
+    return scene->pattern && meets     ? "contact of a sheet with an outline: not yet"
+           : scene->pattern && d->mesh ? "mesh: a sheet with an outline has its own, which "
+                                         "points, seed and refine change"
+           : mesh_is_grid(scene, d)    ? ""
            : scene_sheets(scene) > 1 || scene->shape != SCENE_FLAT
                ? "a mesh: of one flat sheet only"
            : springs && scene->is_fabric ? "springs of a mesh: of an isotropic sheet only; "
@@ -29,7 +34,7 @@ enum status net_refuse(const struct scene *scene, const struct discretization *d
 
     TRY(model_refuse_net(scene, d, why));
     TRY(contact_rest_refuse(scene, d, why));
-    if (mesh_is_grid(d) && (d->seed || d->refine))
+    if (mesh_is_grid(scene, d) && (d->seed || d->refine))
         return status_fail(why, STATUS_INPUT, "%s: of a mesh that is no grid",
                            d->seed ? "seed" : "refine");
     for (; row->sentence; row++)
@@ -71,11 +76,11 @@ void net_clear(struct net *net)
     memset(net, 0, sizeof *net);
 }
 
-static enum mesh_edges at_edges(const struct discretization *d)
+static enum mesh_edges at_edges(const struct scene *scene, const struct discretization *d)
 {
-    return d->bending == BENDING_MIDEDGE                         ? MESH_TURNS
-           : d->bending == BENDING_QUADRATIC && !mesh_is_grid(d) ? MESH_SLOPES
-                                                                 : MESH_NO_NODES;
+    return d->bending == BENDING_MIDEDGE                                ? MESH_TURNS
+           : d->bending == BENDING_QUADRATIC && !mesh_is_grid(scene, d) ? MESH_SLOPES
+                                                                        : MESH_NO_NODES;
 }
 
 enum status net_init(struct net *net, const struct scene *scene,
@@ -88,7 +93,7 @@ enum status net_init(struct net *net, const struct scene *scene,
     *net = (struct net){.scene = scene,
                         .beta = scenes ? damping_stiffness(scene) : 0,
                         .keep = scenes ? damping_velocity(scene) : 1};
-    TRY(mesh_make(&net->mesh, scene, d, at_edges(d), why));
+    TRY(mesh_make(&net->mesh, scene, d, at_edges(scene, d), why));
     TRY(supports_init(&net->supports, scene, mesh->nodes, mesh->uvw, mesh->rest, why));
     TRY(room_cut(&net->room, ROOM(net->mass, mesh->nodes), ROOM(net->drag, mesh->nodes),
                  ROOM(net->load, 3 * mesh->nodes), ROOM(net->x, 3 * mesh->nodes),

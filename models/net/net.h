@@ -34,7 +34,7 @@ struct net {
     (SCENE_NEED_CONTACT | SCENE_NEED_SELF_CONTACT | SCENE_NEED_MOVING_OBSTACLES |          \
      SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |           \
      SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_INITIAL_MOTION |         \
-     SCENE_NEED_SHEETS | SCENE_NEED_FABRIC)
+     SCENE_NEED_SHEETS | SCENE_NEED_FABRIC | SCENE_NEED_OUTLINE)
 
 /* A refusal names what a net cannot do with the scene and choices at hand. */
 struct net_refusal {

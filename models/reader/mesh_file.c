@@ -1,7 +1,9 @@
 #include "models/reader/mesh_file.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "models/reader/obj_file.h"
 #include "models/reader/yaml_tree.h"
@@ -22,6 +24,23 @@ static enum status place(const struct obj_file *o, const char *path, const doubl
                                         "scene; nearer would be right",
                                         FARTHEST);
         }
+    return STATUS_OK;
+}
+
+enum status mesh_file_path(const struct yaml_tree *root, const struct yaml_tree *key,
+                           const char *name, char path[MESH_FILE_PATH], struct message *why)
+{
+    const char *slash = *name == '/' ? NULL : strrchr(root->origin, '/');
+    const int folder = slash ? (int)(slash - root->origin) + 1 : 0;
+    const size_t length = strlen(name);
+
+    if (length < 5 || strcmp(name + length - 4, ".obj") != 0)
+        return yaml_tree_refuse(key, why,
+                                "%s is %s, but must name an OBJ file, as body.obj",
+                                key->key, yaml_tree_quote(name).text);
+    if (snprintf(path, MESH_FILE_PATH, "%.*s%s", folder, root->origin, name) >=
+        MESH_FILE_PATH)
+        return yaml_tree_refuse(key, why, "the path of the mesh is too long");
     return STATUS_OK;
 }
 

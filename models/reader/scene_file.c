@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "models/contact/contact_mesh.h"
+#include "models/pattern.h"
 #include "models/reader/input_file.h"
 #include "models/reader/scene_schema.h"
 
@@ -61,6 +62,9 @@ static enum status annotate(const char *text, size_t size, int setting_count,
         if (scene->obstacles[n].mesh)
             fprintf(out, "# mesh %s, sum %016llx\n", scene->obstacles[n].file,
                     (unsigned long long)contact_mesh_view(scene->obstacles[n].mesh).mark);
+    if (scene->pattern_file && scene->pattern)
+        fprintf(out, "# mesh %s, sum %016llx\n", scene->pattern_file,
+                pattern_sum(scene->pattern));
     return fclose(out) == 0 ? STATUS_OK : STATUS_MEMORY;
 }
 

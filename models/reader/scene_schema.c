@@ -13,6 +13,7 @@
 #include "models/law/law_fabrics.h"
 #include "models/model.h"
 #include "models/reader/mesh_file.h"
+#include "models/reader/scene_outline.h"
 #include "models/reader/schema.h"
 #include "models/reader/yaml_tree.h"
 #include "models/scene.h"
@@ -601,21 +602,12 @@ static enum status load_mesh(const struct yaml_tree *root, const struct yaml_tre
                              bool files, struct scene_obstacle *o, struct message *why)
 {
     const struct yaml_tree *file = yaml_tree_find(section, "file");
-    const char *slash = *o->file == '/' ? NULL : strrchr(root->origin, '/');
-    const int folder = slash ? (int)(slash - root->origin) + 1 : 0;
-    const size_t length = strlen(o->file);
     struct message inner = {""};
-    char path[4096];
+    char path[MESH_FILE_PATH];
+    const enum status found = mesh_file_path(root, file, o->file, path, why);
 
-    if (length < 5 || strcmp(o->file + length - 4, ".obj") != 0)
-        return yaml_tree_refuse(file, why,
-                                "file is %s, but must name an OBJ file, as body.obj",
-                                yaml_tree_quote(o->file).text);
-    if (!files)
-        return STATUS_OK;
-    if (snprintf(path, sizeof path, "%.*s%s", folder, root->origin, o->file) >=
-        (int)sizeof path)
-        return yaml_tree_refuse(file, why, "the path of the mesh is too long");
+    if (found != STATUS_OK || !files)
+        return found;
     const enum status st = mesh_file_read(path, o->point, o->scale, &o->mesh, &inner);
     return st == STATUS_INPUT ? yaml_tree_refuse(file, why, "%s", inner.text) : st;
 }
@@ -680,6 +672,7 @@ static enum status scene_check(const struct yaml_tree *root, bool files,
     TRY(check_sheets(root, scene, why));
     TRY(check_axes(yaml_tree_find(root, "pose"), "pose", scene->axis_u, scene->axis_v,
                    why));
+    TRY(scene_outline_check(root, files, scene, why));
     TRY(check_shape(root, scene, why));
     TRY(check_warp(root, scene, why));
     TRY(check_places(root, scene, why));
@@ -1107,13 +1100,6 @@ static enum status refuse_numerics(const struct schema_key *key,
 }
 
 /* clang-format off */
-static const struct schema_key SHEET[] = {
-    {"length", "L along u [m]", SCHEMA_NUMBER, .required = true, LENGTH, IN(scene, length)},
-    {"width", "W along v [m]", SCHEMA_NUMBER, .required = true, LENGTH, IN(scene, width)},
-    {"thickness", "h along w; fabrics have their own [m]", SCHEMA_NUMBER, LENGTH,
-     IN(scene, thickness)},
-    {NULL}};
-
 static const struct schema_key POSE[] = {
     {"origin", "mid-surface corner u = v = 0; cloak: upper edge's centre [m]",
      SCHEMA_VECTOR, PLACE, IN(scene, origin)},
@@ -1189,7 +1175,7 @@ static const struct schema_key SCENE[] = {
     {"source", "source of the numbers", SCHEMA_TEXT, .required = true,
      IN(scene, source)},
     {"about", "what happens, for lists", SCHEMA_TEXT, IN(scene, about)},
-    {"sheet", "the sheet", SCHEMA_SECTION, .required = true, .keys = SHEET},
+    {"sheet", "the sheet", SCHEMA_SECTION, .required = true, .keys = scene_outline_keys},
     {"pose", "its rest pose", SCHEMA_SECTION, .keys = POSE},
     {"sheets", "in place of pose: several sheets of one size", SCHEMA_SPECIAL,
      .keys = SHEETS, .read = read_sheets,

@@ -229,10 +229,10 @@ def shaded(corners, colour):
 
 def sheets(fields):
     """A picture each of fields [(colour, xyz [sheet, v, u, 3], (planes, bodies))], in one view and
-    scale; the sheets are whole in it, and bodies as far as they are near."""
+    scale; the sheets are whole in it, and bodies as far as they are near. NaN is beside a sheet."""
     from PIL import Image, ImageDraw
-    fields = [(colour, xyz if np.isfinite(xyz).all() else xyz[:0], around) for colour, xyz, around in fields]
-    flat = [seen(xyz)[..., :2].reshape(-1, 2) for _, xyz, _ in fields if len(xyz)]
+    fields = [(colour, xyz if not np.isinf(xyz).any() else xyz[:0], around) for colour, xyz, around in fields]
+    flat = [seen(xyz[np.isfinite(xyz).all(-1)])[..., :2] for _, xyz, _ in fields if np.isfinite(xyz).any()]
     if not flat:
         return []
     low, high = np.concatenate(flat).min(0), np.concatenate(flat).max(0)
@@ -246,6 +246,7 @@ def sheets(fields):
     made = []
     for colour, xyz, (planes, solids) in fields:
         sheet = np.concatenate([bodies.quads(one) for one in xyz] or [np.zeros((0, 4, 3))])
+        sheet = sheet[np.isfinite(sheet).all((1, 2))]
         corners = np.concatenate([planes, solids, sheet])
         plane = seen(corners)
         at = 2 * ((plane[:, :, :2] - low) / unit + 6)  # twice as fine, for smooth edges
@@ -266,14 +267,15 @@ def sheets(fields):
 
 def points_of(runs):
     """All points [n, 3] of the frames that have no others; one at 0 where there are none."""
-    return np.concatenate([run.xyz[run.is_good()].reshape(-1, 3) for run in runs if run.is_good().any()]
-                          or [np.zeros((1, 3))])
+    points = [run.xyz[run.is_good()].reshape(-1, 3) for run in runs if run.is_good().any()]
+    return np.concatenate([p[np.isfinite(p).all(1)] for p in points] or [np.zeros((1, 3))])
 
 def pictures_of(runs):
     """Those of the frames of runs of a scene, one after the other."""
     flat = points_of(runs)
     return sheets([(colour_of(run.model), xyz, bodies.surfaces(run.bodies, t, flat.min(0), flat.max(0)))
-                   for run in runs for t, xyz in zip(run.time, run.xyz)])
+                   for run in runs for t, xyz, good in zip(run.time, run.xyz, run.is_good())
+                   for xyz in ([xyz] if good else [xyz[:0]])])
 
 def row_of(pictures, words):
     """One picture of several, side by side, with words below each."""

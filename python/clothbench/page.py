@@ -429,8 +429,9 @@ def motions_of(top):
                      "time": [t for t, is_good in zip(run.time, run.is_good()) if is_good],
                      "rows": xyz.shape[1], "columns": xyz.shape[2],
                      "cut": run.xyz.shape[3] if run.xyz.shape[1] > 1 else 0,
-                     "data": base64.b64encode((32767 * np.clip((xyz - middle) / scale, -1, 1))
-                                              .astype("<i2").tobytes()).decode()})
+                     "data": base64.b64encode(
+                         np.nan_to_num(32767 * np.clip((xyz - middle) / scale, -1, 1), nan=-32768)
+                         .astype("<i2").tobytes()).decode()})
     return [m for m in made if m["time"]]
 
 def protocol(tables):

@@ -168,8 +168,10 @@ class Run:
         return self.xyz.swapaxes(1, 2).reshape(len(self.xyz), self.xyz.shape[2], -1, 3)
 
     def is_good(self):
-        """Of each frame, whether all of its numbers are finite."""
-        return numpy.isfinite(self.xyz).all((1, 2, 3, 4))
+        """Of each frame, whether all of its numbers are finite, but for places beside a sheet that is no
+        rectangle: these have none in the first frame either."""
+        return (numpy.isfinite(self.xyz) | numpy.isnan(self.xyz[:1])).all((1, 2, 3, 4)) & \
+            numpy.isfinite(self.xyz).any((1, 2, 3, 4))
 
 def checked_seal(path, file):
     """Refuses a file that is no longer what its first line says."""

@@ -2,13 +2,15 @@
  * irregular ones are Delaunay's, the same for the same seed, and keep the edges of
  * supports; refined ones have four times the triangles.
  */
-#include "models/mesh/mesh_flat.h"
+#include "models/mesh_flat.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/reader/pattern_file.h"
+#include "models/scene.h"
 #include "tests/scratch.h"
 
 static struct scene scene;
@@ -21,7 +23,8 @@ static enum status read_text(const char *text, struct mesh_flat *flat, struct me
     REQUIRE(out && fputs(text, out) >= 0 && fclose(out) == 0);
     *flat = (struct mesh_flat){0};
     *why = (struct message){""};
-    const enum status st = mesh_flat_read(flat, &scene, path, why);
+    const enum status st =
+        pattern_file_read(path, (double[2]){scene.length, scene.width}, flat, why);
     const size_t length = strlen(path);
     if (!strncmp(why->text, path, length)) /* leaves :line: sentence */
         memmove(why->text, why->text + length, strlen(why->text + length) + 1);

@@ -1,9 +1,9 @@
-/* mesh_flat_read.c - flat patterns from OBJ files. */
+#include "models/reader/pattern_file.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "models/mesh/mesh_flat.h"
 #include "models/reader/obj_file.h"
 #include "models/reader/yaml_tree.h"
 
@@ -11,10 +11,12 @@
  * high as that share of its longest side, or its shape is not known. */
 static const double NEAR = 1e-5;
 
+static const double FARTHEST = 1e6; /* as of a scene's places [m] */
+
 struct reading {
     struct yaml_tree line; /* to blame                                                 */
-    const struct scene *scene;
-    struct obj_file obj; /*                                                      owned */
+    const double *side;    /* of the rectangle; NULL: any outline                [m]   */
+    struct obj_file obj;   /*                                                      owned */
 };
 
 /* Finds where a corner is in the plane; false if it is not in the rectangle. What is near
@@ -22,13 +24,16 @@ struct reading {
 static bool place_of(const struct reading *r, const struct obj_file_corner *corner,
                      double at[2])
 {
-    const double side[2] = {r->scene->length, r->scene->width};
-    const double *v = r->obj.vertex[corner->v].at;
+    const double *side = r->side, *v = r->obj.vertex[corner->v].at;
     const double *vt = corner->vt < 0 ? NULL : r->obj.texture[corner->vt];
     bool inside = true;
 
     for (int i = 0; i < 2; i++) {
-        at[i] = vt ? vt[i] * side[i] : v[i];
+        at[i] = !vt ? v[i] : side ? vt[i] * side[i] : vt[i];
+        if (!side) {
+            inside &= fabs(at[i]) <= FARTHEST;
+            continue;
+        }
         if (fabs(at[i]) <= NEAR * side[i])
             at[i] = 0;
         if (fabs(at[i] - side[i]) <= NEAR * side[i])
@@ -45,18 +50,23 @@ static enum status add_corner(struct reading *r, struct mesh_flat *flat, int *no
     double at[2];
 
     r->line.line = corner->line;
+    if (!place_of(r, corner, at) && !r->side)
+        return yaml_tree_refuse(&r->line, why,
+                                "the point at %g, %g m is farther than %g m from 0; nearer "
+                                "would be right",
+                                at[0], at[1], FARTHEST);
     if (!place_of(r, corner, at))
         return yaml_tree_refuse(
             &r->line, why,
             "the point at %g, %g m is not on the sheet of %g by %g m; vt from 0 to 1, or x "
             "and y in metres from a corner, would be right",
-            at[0], at[1], r->scene->length, r->scene->width);
+            at[0], at[1], r->side[0], r->side[1]);
     if (isnan(flat->at[node[corner->v]][0]))
         memcpy(flat->at[node[corner->v]], at, sizeof at);
     *into = node[corner->v];
     const double *known = flat->at[*into];
-    if (fabs(known[0] - at[0]) > NEAR * r->scene->length ||
-        fabs(known[1] - at[1]) > NEAR * r->scene->width)
+    if (fabs(known[0] - at[0]) > NEAR * (r->side ? r->side[0] : 1) ||
+        fabs(known[1] - at[1]) > NEAR * (r->side ? r->side[1] : 1))
         return yaml_tree_refuse(
             &r->line, why,
             "`v` %d has two places on the sheet, %g, %g and %g, %g m; one "
@@ -99,17 +109,16 @@ out:
 }
 
 /* Tells whether both ends of an edge lie on the same side of the rectangle. */
-static bool on_rim(const struct mesh_flat *flat, const struct scene *scene,
+static bool on_rim(const struct mesh_flat *flat, const double side[2],
                    const struct mesh_edge *e)
 {
     const double *a = flat->at[e->node[0]], *b = flat->at[e->node[1]];
 
     return (a[0] == 0 && b[0] == 0) || (a[1] == 0 && b[1] == 0) ||
-           (a[0] == scene->length && b[0] == scene->length) ||
-           (a[1] == scene->width && b[1] == scene->width);
+           (a[0] == side[0] && b[0] == side[0]) || (a[1] == side[1] && b[1] == side[1]);
 }
 
-/* Refuses what is not the whole rectangle, once. */
+/* Refuses what is not the whole rectangle, once, or what lies on itself. */
 static enum status check(struct reading *r, const struct mesh_flat *flat,
                          struct message *why)
 {
@@ -128,7 +137,7 @@ static enum status check(struct reading *r, const struct mesh_flat *flat,
         const double *a = flat->at[edge[e].node[0]], *b = flat->at[edge[e].node[1]];
         const bool inner = edge[e].node[3] >= 0;
         if (inner ? left(a, b, flat->at[edge[e].node[3]]) < 0
-                  : on_rim(flat, r->scene, &edge[e]))
+                  : !r->side || on_rim(flat, r->side, &edge[e]))
             continue;
         r->line.line = corner[3 * edge[e].triangle[inner]].line;
         st = inner ? yaml_tree_refuse(&r->line, why,
@@ -145,7 +154,7 @@ static enum status check(struct reading *r, const struct mesh_flat *flat,
         const int *v = flat->triangle[t];
         area += left(flat->at[v[0]], flat->at[v[1]], flat->at[v[2]]) / 2;
     }
-    const double whole = r->scene->length * r->scene->width;
+    const double whole = r->side ? r->side[0] * r->side[1] : area;
     r->line.line = -1;
     if (st == STATUS_OK && fabs(area - whole) > NEAR * whole)
         st = yaml_tree_refuse(&r->line, why,
@@ -185,12 +194,37 @@ out:
     return st;
 }
 
-enum status mesh_flat_read(struct mesh_flat *flat, const struct scene *scene,
-                           const char *path, struct message *why)
+/* Says where the triangles meet in a point only, or what is wrong with their outline. */
+static enum status refuse_outline(struct reading *r, int triangle, const struct pattern *p,
+                                  const struct pattern_blame *blame, struct message *why)
+{
+    if (triangle >= 0) {
+        r->line.line = r->obj.corner[3 * triangle].line;
+        return yaml_tree_refuse(
+            &r->line, why,
+            "pieces of the sheet meet in a point of this triangle; pieces "
+            "that share edges would be right");
+    }
+    const double *at = p->at[p->line[blame->line] + blame->point];
+    r->line.line = -1;
+    return blame->fault == PATTERN_CROSSING
+               ? yaml_tree_refuse(
+                     &r->line, why,
+                     "the sheet's edge meets itself at %g, %g m; a pattern that "
+                     "lies flat without folds would be right",
+                     at[0], at[1])
+               : yaml_tree_refuse(&r->line, why,
+                                  "the triangles are two pieces that nothing joins, one at "
+                                  "%g, %g m; one piece would be right",
+                                  at[0], at[1]);
+}
+
+enum status pattern_file_read(const char *path, const double side[2],
+                              struct mesh_flat *flat, struct message *why)
 {
     enum status st;
     struct mesh_flat new = {0};
-    struct reading r = {.line = {.origin = path}, .scene = scene};
+    struct reading r = {.line = {.origin = path}, .side = side};
 
     TRY(obj_file_read(path, &r.obj, why));
     TRY(make(&r, &new, why));
@@ -198,5 +232,33 @@ enum status mesh_flat_read(struct mesh_flat *flat, const struct scene *scene,
 out:
     obj_file_clear(&r.obj);
     mesh_flat_clear(&new);
+    return st;
+}
+
+enum status pattern_file_outline(const char *path, struct pattern **pattern, double size[2],
+                                 struct message *why)
+{
+    enum status st;
+    int triangle = -1;
+    struct mesh_flat flat = {0};
+    struct pattern_blame blame = {0};
+    struct reading r = {.line = {.origin = path}};
+    struct pattern *p = pattern_make();
+
+    TRY(p ? STATUS_OK : STATUS_MEMORY);
+    TRY(obj_file_read(path, &r.obj, why));
+    TRY(make(&r, &flat, why));
+    st = pattern_add_mesh(p, &flat, &triangle);
+    if (st == STATUS_OK)
+        st = pattern_finish(p, size, &blame);
+    if (st == STATUS_INPUT)
+        st = refuse_outline(&r, triangle, p, &blame, why);
+out:
+    obj_file_clear(&r.obj);
+    mesh_flat_clear(&flat);
+    if (st == STATUS_OK)
+        *pattern = p;
+    else
+        pattern_free(p);
     return st;
 }

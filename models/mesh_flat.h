@@ -1,10 +1,15 @@
 /* mesh_flat.h - triangles in the plane of a rectangular sheet, before they are a mesh: made
- * from a grid, made irregular, read, refined.
+ * from a grid, made irregular, refined.
  */
 #ifndef MESH_FLAT_H
 #define MESH_FLAT_H
 
-#include "models/scene.h"
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "models/status.h"
+
+struct scene;
 
 struct mesh_flat {
     int nodes, triangles;
@@ -18,6 +23,8 @@ struct mesh_edge {
     int node[4], triangle[2];
 };
 
+/* Makes room for so many nodes and triangles, of which there are none yet. */
+enum status mesh_flat_make(struct mesh_flat *flat, int nodes, int triangles);
 void mesh_flat_clear(struct mesh_flat *flat);
 
 /* Finds the edges: (*edge)[*count], and (*side)[triangles][3], the edges across from a
@@ -25,6 +32,24 @@ void mesh_flat_clear(struct mesh_flat *flat);
  * an edge: *count is then its first triangle. */
 enum status mesh_flat_edges(const struct mesh_flat *flat, struct mesh_edge **edge,
                             int *count, int (**side)[3]);
+
+/* Returns twice the area of three nodes, positive if counter-clockwise. */
+double mesh_flat_area2(const struct mesh_flat *flat, int a, int b, int c);
+
+/* Tells whether all triangles have more than twice an area. */
+bool mesh_flat_good(const struct mesh_flat *flat, double least);
+
+/* Turns the edge k, between two triangles, into their other diagonal; tells whether that
+ * makes it Delaunay's, and turns edges until all are (Lawson 1977); scale: a triangle's area
+ * squared. */
+void mesh_flat_turn(struct mesh_flat *flat, struct mesh_edge *edge, int (*side)[3], int k);
+bool mesh_flat_turns(const struct mesh_flat *flat, const struct mesh_edge *edge,
+                     double scale);
+void mesh_flat_improve(struct mesh_flat *flat, struct mesh_edge *edge, int edges,
+                       int (*side)[3], double scale);
+
+/* Returns the next number in [-1, 1]: splitmix64 (Steele, Lea and Flood 2014). */
+double mesh_flat_random(uint64_t *state);
 
 /* Cuts the cells of n x m points, number i m + j, by diagonals: neighbouring cells by
  * different ones, so that they meet at points with even i + j, or all by the same. */
@@ -38,13 +63,5 @@ enum status mesh_flat_jitter(struct mesh_flat *flat, const struct scene *scene,
 
 /* Cuts each triangle into four. */
 enum status mesh_flat_refine(struct mesh_flat *flat);
-
-/* Reads a Wavefront OBJ file: lines `v x y z`, `vt u v` and `f a b c ...`, a may go on as
- * in a/b/c; other lines are skipped. The plane is u times the length and v times the width
- * of the sheet, where faces name vt, else x and y in metres. Points are those that faces
- * name, in the file's order; triangles the file's. It must be the whole rectangle.
- * STATUS_INPUT with a sentence `path:line: ...` or `path: ...`. */
-enum status mesh_flat_read(struct mesh_flat *flat, const struct scene *scene,
-                           const char *path, struct message *why);
 
 #endif

@@ -1,9 +1,11 @@
-#include "models/mesh/mesh_flat.h"
+#include "models/mesh_flat.h"
 
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "models/scene.h"
 
 void mesh_flat_clear(struct mesh_flat *flat)
 {
@@ -12,7 +14,7 @@ void mesh_flat_clear(struct mesh_flat *flat)
     memset(flat, 0, sizeof *flat);
 }
 
-static enum status allocate(struct mesh_flat *flat, int nodes, int triangles)
+enum status mesh_flat_make(struct mesh_flat *flat, int nodes, int triangles)
 {
     *flat =
         (struct mesh_flat){.at = calloc((size_t)nodes, sizeof *flat->at),
@@ -100,7 +102,7 @@ enum status mesh_flat_grid(struct mesh_flat *flat, const struct scene *scene,
                            const int points[2], bool alternate)
 {
     const int n = points[0], m = points[1];
-    enum status st = allocate(flat, n * m, 2 * (n - 1) * (m - 1));
+    enum status st = mesh_flat_make(flat, n * m, 2 * (n - 1) * (m - 1));
 
     if (st != STATUS_OK)
         return st;
@@ -132,8 +134,7 @@ enum { PARTS = 24, SWEEPS = 64 };
 /* Shares of the squared lengths below which four points lie on a circle. */
 static const double ROUND = 1e-10;
 
-/* Returns the next number in [-1, 1]: splitmix64, Steele, Lea and Flood 2014. */
-static double next_random(uint64_t *state)
+double mesh_flat_random(uint64_t *state)
 {
     uint64_t z = *state += 0x9e3779b97f4a7c15u;
 
@@ -158,7 +159,7 @@ static bool is_edge(const struct scene *scene, const double uv[2], int along)
     return uv[along] < near || uv[along] > 1 - near;
 }
 
-static double area2(const struct mesh_flat *flat, int a, int b, int c)
+double mesh_flat_area2(const struct mesh_flat *flat, int a, int b, int c)
 {
     const double(*at)[2] = (const double(*)[2])flat->at;
 
@@ -195,8 +196,7 @@ static int corner_of(const int triangle[3], int node)
     return triangle[0] == node ? 0 : triangle[1] == node ? 1 : 2;
 }
 
-/* Turns an edge a b between c and d into d c. */
-static void turn(struct mesh_flat *flat, struct mesh_edge *edge, int (*side)[3], int k)
+void mesh_flat_turn(struct mesh_flat *flat, struct mesh_edge *edge, int (*side)[3], int k)
 {
     struct mesh_edge *e = &edge[k];
     const int a = e->node[0], b = e->node[1], c = e->node[2], d = e->node[3];
@@ -217,31 +217,37 @@ static void turn(struct mesh_flat *flat, struct mesh_edge *edge, int (*side)[3],
     *e = (struct mesh_edge){{d, c, a, b}, {s, t}};
 }
 
-/* Turns edges until none has a point in the circle of its triangles (Lawson 1977). */
-static void improve(struct mesh_flat *flat, struct mesh_edge *edge, int edges,
-                    int (*side)[3], double scale)
+bool mesh_flat_turns(const struct mesh_flat *flat, const struct mesh_edge *edge,
+                     double scale)
+{
+    const int *node = edge->node;
+
+    return node[3] >= 0 && excess(flat, node) > ROUND * scale &&
+           mesh_flat_area2(flat, node[3], node[2], node[0]) > 0 &&
+           mesh_flat_area2(flat, node[2], node[3], node[1]) > 0;
+}
+
+void mesh_flat_improve(struct mesh_flat *flat, struct mesh_edge *edge, int edges,
+                       int (*side)[3], double scale)
 {
     bool turned = true;
 
     for (int sweep = 0; turned && sweep < SWEEPS; sweep++) {
         turned = false;
         for (int k = 0; k < edges; k++) {
-            const int *node = edge[k].node;
-            if (node[3] < 0 || excess(flat, node) <= ROUND * scale ||
-                area2(flat, node[3], node[2], node[0]) <= 0 ||
-                area2(flat, node[2], node[3], node[1]) <= 0)
+            if (!mesh_flat_turns(flat, &edge[k], scale))
                 continue;
-            turn(flat, edge, side, k);
+            mesh_flat_turn(flat, edge, side, k);
             turned = true;
         }
     }
 }
 
-static bool all_good(const struct mesh_flat *flat, double least)
+bool mesh_flat_good(const struct mesh_flat *flat, double least)
 {
     for (int t = 0; t < flat->triangles; t++) {
         const int *node = flat->triangle[t];
-        if (!(area2(flat, node[0], node[1], node[2]) > least))
+        if (!(mesh_flat_area2(flat, node[0], node[1], node[2]) > least))
             return false;
     }
     return true;
@@ -272,16 +278,16 @@ enum status mesh_flat_jitter(struct mesh_flat *flat, const struct scene *scene,
     for (int a = 0; a < flat->nodes; a++)
         for (int i = 0; i < 2; i++) {
             const double uv[2] = {flat->at[a][0] / size[0], flat->at[a][1] / size[1]};
-            const double by = next_random(&state);
+            const double by = mesh_flat_random(&state);
             way[a][i] = is_edge(scene, uv, i) ? 0 : MOST * cell[i] * by / PARTS;
         }
     for (int n = 0; n < PARTS; n++) {
         move(flat, (const double(*)[2])way, 1);
-        if (!all_good(flat, sliver * area)) { /* never seen; what is there will do */
+        if (!mesh_flat_good(flat, sliver * area)) { /* never seen; what is there will do */
             move(flat, (const double(*)[2])way, -1);
             break;
         }
-        improve(flat, edge, edges, side, area * area);
+        mesh_flat_improve(flat, edge, edges, side, area * area);
     }
 out:
     free(way);
@@ -301,7 +307,7 @@ enum status mesh_flat_refine(struct mesh_flat *flat)
     enum status st;
 
     TRY(mesh_flat_edges(flat, &edge, &edges, &side));
-    TRY(allocate(&fine, flat->nodes + edges, 4 * flat->triangles));
+    TRY(mesh_flat_make(&fine, flat->nodes + edges, 4 * flat->triangles));
     fine.nodes = flat->nodes + edges, fine.triangles = 4 * flat->triangles;
     memcpy(fine.at, flat->at, (size_t)flat->nodes * sizeof *fine.at);
     for (int e = 0; e < edges; e++)

@@ -1,0 +1,333 @@
+#include "models/pattern.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* So near a side, in shares of the box's diagonal, a place is on it. */
+static const double NEAR = 1e-12;
+
+struct pattern *pattern_make(void)
+{
+    return calloc(1, sizeof(struct pattern));
+}
+
+void pattern_free(struct pattern *p)
+{
+    if (!p)
+        return;
+    free(p->at);
+    free(p->line);
+    free(p->next);
+    mesh_flat_clear(&p->mesh);
+    free(p);
+}
+
+enum status pattern_add_line(struct pattern *p, int count, const double (*at)[2])
+{
+    double(*all)[2] = realloc(p->at, (size_t)(p->points + count + 1) * sizeof *all);
+    if (all)
+        p->at = all;
+    int *line = realloc(p->line, (size_t)(p->lines + 2) * sizeof *line);
+    if (line)
+        p->line = line;
+    if (!all || !line)
+        return STATUS_MEMORY;
+    memcpy(p->at + p->points, at, (size_t)count * sizeof *at);
+    p->line[p->lines++] = p->points;
+    p->line[p->lines] = p->points += count;
+    return STATUS_OK;
+}
+
+/* --- lines around triangles -------------------------------------------------------------
+ */
+
+/* Fills next[node], along the rim with the sheet to its left, -1 inside. Returns the
+ * triangle at a node that the rim passes twice, or -1. */
+static int follow_rim(const struct mesh_flat *mesh, const struct mesh_edge *edge, int edges,
+                      int *next)
+{
+    for (int a = 0; a < mesh->nodes; a++)
+        next[a] = -1;
+    for (const struct mesh_edge *e = edge; e < edge + edges; e++) {
+        if (e->node[3] >= 0)
+            continue;
+        if (next[e->node[0]] >= 0)
+            return e->triangle[0];
+        next[e->node[0]] = e->node[1];
+    }
+    return -1;
+}
+
+static enum status add_lines(struct pattern *p, int *next, double (*at)[2])
+{
+    enum status st = STATUS_OK;
+
+    for (int from = 0; st == STATUS_OK && from < p->mesh.nodes; from++) {
+        int count = 0, here = from;
+        while (next[here] >= 0) {
+            const int there = next[here];
+            memcpy(at[count++], p->mesh.at[here], sizeof *at);
+            next[here] = -1, here = there;
+        }
+        if (count)
+            st = pattern_add_line(p, count, (const double(*)[2])at);
+    }
+    return st;
+}
+
+enum status pattern_add_mesh(struct pattern *p, struct mesh_flat *mesh, int *triangle)
+{
+    struct mesh_edge *edge = NULL;
+    int edges, (*side)[3] = NULL;
+    int *next = malloc((size_t)mesh->nodes * sizeof *next);
+    double(*at)[2] = malloc((size_t)mesh->nodes * sizeof *at);
+    enum status st = next && at ? STATUS_OK : STATUS_MEMORY;
+
+    TRY(st);
+    TRY(mesh_flat_edges(mesh, &edge, &edges, &side));
+    *triangle = follow_rim(mesh, edge, edges, next);
+    TRY(*triangle < 0 ? STATUS_OK : STATUS_INPUT);
+    HAND_OVER(&p->mesh, *mesh);
+    TRY(add_lines(p, next, at));
+out:
+    free(next);
+    free(at);
+    free(edge);
+    free(side);
+    return st;
+}
+
+/* --- what is wrong with lines -----------------------------------------------------------
+ */
+
+static double left(const double a[2], const double b[2], const double c[2])
+{
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+/* Returns the point after a line's n-th. */
+static int after(const struct pattern *p, int line, int n)
+{
+    return n + 1 < p->line[line + 1] ? n + 1 : p->line[line];
+}
+
+static double area_of(const struct pattern *p, int line)
+{
+    double sum = 0;
+
+    for (int n = p->line[line]; n < p->line[line + 1]; n++)
+        sum += left(p->at[p->line[line]], p->at[n], p->at[after(p, line, n)]) / 2;
+    return sum;
+}
+
+static void turn_round(struct pattern *p, int line)
+{
+    for (int n = p->line[line], m = p->line[line + 1] - 1; n < m; n++, m--) {
+        const double keep[2] = {p->at[n][0], p->at[n][1]};
+        memcpy(p->at[n], p->at[m], sizeof keep);
+        memcpy(p->at[m], keep, sizeof keep);
+    }
+}
+
+/* Tells whether c lies on the side from a to b, which it is in line with. */
+static bool between(const double a[2], const double b[2], const double c[2])
+{
+    return fmin(a[0], b[0]) <= c[0] && c[0] <= fmax(a[0], b[0]) &&
+           fmin(a[1], b[1]) <= c[1] && c[1] <= fmax(a[1], b[1]);
+}
+
+static bool cross(const double a[2], const double b[2], const double c[2],
+                  const double d[2])
+{
+    const double ac = left(a, b, c), ad = left(a, b, d);
+    const double ca = left(c, d, a), cb = left(c, d, b);
+
+    if (((ac > 0 && ad < 0) || (ac < 0 && ad > 0)) &&
+        ((ca > 0 && cb < 0) || (ca < 0 && cb > 0)))
+        return true;
+    return (ac == 0 && between(a, b, c)) || (ad == 0 && between(a, b, d)) ||
+           (ca == 0 && between(c, d, a)) || (cb == 0 && between(c, d, b));
+}
+
+/* Tells whether two neighbouring sides, a b and b c, run back on each other. */
+static bool folds_back(const double a[2], const double b[2], const double c[2])
+{
+    return left(a, b, c) == 0 &&
+           (b[0] - a[0]) * (c[0] - b[0]) + (b[1] - a[1]) * (c[1] - b[1]) < 0;
+}
+
+/* Compares all pairs of sides. */
+static bool any_cross(const struct pattern *p, int *line, int *point)
+{
+    for (int k = 0; k < p->lines; k++)
+        for (int n = p->line[k]; n < p->line[k + 1]; n++) {
+            const int m = after(p, k, n);
+            const double *a = p->at[n], *b = p->at[m];
+            *line = k, *point = n - p->line[k];
+            if (folds_back(a, b, p->at[after(p, k, m)]))
+                return true;
+            for (int l = k; l < p->lines; l++)
+                for (int q = l == k ? n + 1 : p->line[l]; q < p->line[l + 1]; q++) {
+                    const int r = after(p, l, q);
+                    if (q != m && r != n && cross(a, b, p->at[q], p->at[r]))
+                        return true;
+                }
+        }
+    return false;
+}
+
+/* Tells whether a place is inside one line, which it is not on. */
+static bool inside(const struct pattern *p, int line, const double at[2])
+{
+    bool in = false;
+
+    for (int n = p->line[line]; n < p->line[line + 1]; n++) {
+        const double *a = p->at[n], *b = p->at[after(p, line, n)];
+        if ((a[1] > at[1]) == (b[1] > at[1]))
+            continue;
+        if (at[0] < a[0] + (at[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]))
+            in = !in;
+    }
+    return in;
+}
+
+static enum pattern_fault fault_of(const struct pattern *p, int *line, int *point)
+{
+    int outline = 0;
+
+    while (outline < p->lines && !(area_of(p, outline) > 0))
+        outline++;
+    for (int k = 0; k < p->lines; k++) {
+        *line = k, *point = 0;
+        if (p->line[k + 1] - p->line[k] < 3)
+            return PATTERN_FEW;
+        for (int n = p->line[k]; n < p->line[k + 1]; n++) {
+            *point = n - p->line[k];
+            if (!memcmp(p->at[n], p->at[after(p, k, n)], sizeof *p->at))
+                return PATTERN_DOUBLE;
+        }
+    }
+    if (any_cross(p, line, point))
+        return PATTERN_CROSSING;
+    for (int k = 0; k < p->lines; k++)
+        if (area_of(p, k) > 0 && k != outline) {
+            *line = k, *point = 0;
+            return PATTERN_PIECES;
+        }
+    for (int k = 0; k < p->lines; k++)
+        for (int l = 0; l < p->lines; l++)
+            if (l != k && k != outline &&
+                inside(p, l, p->at[p->line[k]]) != (l == outline)) {
+                *line = k, *point = 0;
+                return PATTERN_OUTSIDE;
+            }
+    return PATTERN_SOUND;
+}
+
+/* --- the whole --------------------------------------------------------------------------
+ */
+
+static void move_to_zero(struct pattern *p, double size[2])
+{
+    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+
+    for (int n = 0; n < p->points; n++)
+        for (int i = 0; i < 2; i++) {
+            low[i] = fmin(low[i], p->at[n][i]);
+            high[i] = fmax(high[i], p->at[n][i]);
+        }
+    for (int i = 0; i < 2; i++) {
+        p->corner[i] = low[i], size[i] = high[i] - low[i];
+        for (int n = 0; n < p->points; n++)
+            p->at[n][i] -= low[i];
+        for (int n = 0; n < p->mesh.nodes; n++)
+            p->mesh.at[n][i] -= low[i];
+    }
+}
+
+/* Tells whether a place is on the sheet, by `count` of its sides: all that its height
+ * reaches. */
+static bool has(const struct pattern *p, int count, const int *side, double x, double y)
+{
+    bool in = false;
+
+    for (int n = 0; n < count; n++) {
+        const int m = side ? side[n] : n;
+        const double *a = p->at[m], *b = p->at[p->next[m]];
+        const double d[2] = {b[0] - a[0], b[1] - a[1]}, e[2] = {x - a[0], y - a[1]};
+        const double along = (e[0] * d[0] + e[1] * d[1]) / (d[0] * d[0] + d[1] * d[1]);
+        const double s = fmin(fmax(along, 0), 1);
+        if (hypot(e[0] - s * d[0], e[1] - s * d[1]) <= p->near)
+            return true;
+        in ^= (a[1] > y) != (b[1] > y) && e[0] < e[1] / d[1] * d[0];
+    }
+    return in;
+}
+
+bool pattern_has(const struct pattern *p, double x, double y)
+{
+    return has(p, p->points, NULL, x, y);
+}
+
+/* Marks the grid's points that are on the sheet, row by row. */
+static enum status mark(struct pattern *p, const double size[2])
+{
+    int *side = malloc((size_t)p->points * sizeof *side);
+
+    if (!side)
+        return STATUS_MEMORY;
+    for (int j = 0; j < GRID_V; j++) {
+        const double y = j / (GRID_V - 1.) * size[1];
+        int count = 0;
+        for (int n = 0; n < p->points; n++) {
+            const double a = p->at[n][1], b = p->at[p->next[n]][1];
+            if (fmin(a, b) <= y + p->near && fmax(a, b) >= y - p->near)
+                side[count++] = n;
+        }
+        for (int i = 0; i < GRID_U; i++)
+            p->on[j][i] = has(p, count, side, i / (GRID_U - 1.) * size[0], y);
+    }
+    free(side);
+    return STATUS_OK;
+}
+
+enum status pattern_finish(struct pattern *p, double size[2], struct pattern_blame *blame)
+{
+    const bool drawn = !p->mesh.nodes;
+
+    for (int k = 0; drawn && k < p->lines; k++)
+        if ((area_of(p, k) > 0) != (k == 0))
+            turn_round(p, k);
+    blame->fault = fault_of(p, &blame->line, &blame->point);
+    if (blame->fault != PATTERN_SOUND)
+        return STATUS_INPUT;
+    p->next = malloc((size_t)p->points * sizeof *p->next);
+    if (!p->next)
+        return STATUS_MEMORY;
+    for (int k = 0; k < p->lines; k++)
+        for (int n = p->line[k]; n < p->line[k + 1]; n++)
+            p->next[n] = after(p, k, n);
+    move_to_zero(p, size);
+    p->near = NEAR * hypot(size[0], size[1]);
+    for (int k = 0; k < p->lines; k++)
+        p->area += area_of(p, k);
+    return mark(p, size);
+}
+
+/* FNV-1a, 64 bits. */
+static unsigned long long add_bytes(unsigned long long sum, const void *bytes, size_t count)
+{
+    for (const unsigned char *b = bytes; count--; b++)
+        sum = (sum ^ *b) * 1099511628211u;
+    return sum;
+}
+
+unsigned long long pattern_sum(const struct pattern *p)
+{
+    const struct mesh_flat *m = &p->mesh;
+    const unsigned long long sum =
+        add_bytes(14695981039346656037u, m->at, (size_t)m->nodes * sizeof *m->at);
+
+    return add_bytes(sum, m->triangle, (size_t)m->triangles * sizeof *m->triangle);
+}

@@ -1,0 +1,19 @@
+/* scene_outline.h - the section `sheet` of a scene: a rectangle, an outline with holes, or
+ * a mesh. */
+#ifndef SCENE_OUTLINE_H
+#define SCENE_OUTLINE_H
+
+#include "models/reader/yaml_tree.h"
+#include "models/scene.h"
+#include "models/schema_key.h"
+
+/* Its keys; targets are scenes. */
+extern const struct schema_key scene_outline_keys[];
+
+/* Checks, once pose and sheets are read, that a sheet has length and width, or an outline,
+ * or a mesh, which it reads if `files`, and makes the pattern of these: its box gets its
+ * corner where the pose says that 0 of the pattern is. STATUS_INPUT with a sentence. */
+enum status scene_outline_check(const struct yaml_tree *root, bool files,
+                                struct scene *scene, struct message *why);
+
+#endif

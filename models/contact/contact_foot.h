@@ -78,6 +78,11 @@ static inline void contact_foot_corners(const struct contact_surface *s, int tri
 {
     const int m = s->points[1], first = triangle / 2;
 
+    if (s->corner) {
+        for (int k = 0; k < 3; k++)
+            corner[k] = s->corner[triangle][k];
+        return;
+    }
     corner[0] = first;
     corner[1] = triangle % 2 ? first + m + 1 : first + m;
     corner[2] = triangle % 2 ? first + 1 : first + m + 1;

@@ -7,6 +7,7 @@
 #include "models/contact/contact_foot.h"
 #include "models/contact/contact_law.h"
 #include "models/contact/contact_shape.h"
+#include "models/pattern.h"
 #include "models/vector.h"
 
 /* The round-off of positions, relative to the largest; and the distance at which a plane's
@@ -60,12 +61,15 @@ struct least {
     double place[3];
 };
 
-/* Returns the distance of x, or some number from `most` up to it. */
-static double try_point(struct least *l, const double x[3], double most)
+/* Returns the distance of x, at (u,v), or some number from `most` up to it. */
+static double try_point(struct least *l, double u, double v, const double x[3], double most)
 {
+    const struct scene *scene = l->scene;
     const double distance = contact_shape_near(l->obstacle, &l->pose, x, most, NULL);
 
-    if (distance < l->distance) {
+    if (distance < l->distance &&
+        (!scene->pattern ||
+         pattern_has(scene->pattern, u * scene->length, v * scene->width))) {
         l->distance = distance;
         memcpy(l->place, x, sizeof l->place);
     }
@@ -90,15 +94,30 @@ static void search_part(struct least *l, int level, const double from[2])
         vector_between(x, corner[k], way);
         reach = fmax(reach, vector_length(way));
     }
-    const double middle = try_point(l, x, l->distance + reach);
+    const double middle =
+        try_point(l, from[0] + half, from[1] + half, x, l->distance + reach);
     if (middle - reach >= l->distance)
         return;
     for (int k = 0; k < 4; k++)
         if (level == FINEST)
-            try_point(l, corner[k], l->distance);
+            try_point(l, from[0] + 2 * half * (k & 1), from[1] + half * (k & 2), corner[k],
+                      l->distance);
         else
             search_part(l, level + 1,
                         (double[2]){from[0] + half * (k & 1), from[1] + half * (k >> 1)});
+}
+
+/* Searches the corners of an outline. */
+static void search_corners(struct least *l)
+{
+    const struct pattern *p = l->scene->pattern;
+
+    for (int n = 0; p && n < p->points; n++) {
+        const double u = p->at[n][0] / l->scene->length, v = p->at[n][1] / l->scene->width;
+        double x[3];
+        scene_rest_point(l->scene, (double[3]){u, v, .5}, x);
+        try_point(l, u, v, x, l->distance);
+    }
 }
 
 static double depth_of_sheet(const struct scene *scene, const struct scene_obstacle *o)
@@ -109,11 +128,13 @@ static double depth_of_sheet(const struct scene *scene, const struct scene_obsta
     scene_motion_at(&o->motion, 0, &l.pose);
     l.distance = start;
     if ((o->kind == OBSTACLE_PLANE || o->kind == OBSTACLE_SPHERE) &&
-        !o->motion.turn_count) {
+        !o->motion.turn_count && !scene->pattern) {
         nearest_point(scene, o, l.pose.shift, l.place);
         l.distance = contact_shape_distance(o, &l.pose, l.place, NULL);
-    } else
+    } else {
+        search_corners(&l);
         search_part(&l, 0, (double[2]){0, 0});
+    }
     const double depth = start - l.distance;
     const double far = vector_length(l.place) + vector_length(o->point);
     return depth > ROUNDING * (far + o->radius) ? depth : 0;

@@ -86,7 +86,33 @@ enum status contact_surface_init(struct contact_surface *s, const struct scene *
             s->used[n] = 1, s->node[n] = n, s->shape[n] = 1;
     measure_lines(s, scene);
     s->around = scene_closed(scene) ? s->flat[1][points[1] - 1] : 0;
+    for (int d = 0; d < 2; d++)
+        for (int k = 0; k + 1 < s->points[d]; k++)
+            s->spacing = fmax(s->spacing, s->flat[d][k + 1] - s->flat[d][k]);
     share_areas(s, scene);
+out:
+    return st;
+}
+
+enum status contact_surface_init_mesh(struct contact_surface *s, int nodes, int count,
+                                      const double *area, int triangles,
+                                      const int (*corner)[3], double spacing)
+{
+    enum status st;
+
+    *s = (struct contact_surface){.points = {count, 1},
+                                  .rows = count,
+                                  .count = count,
+                                  .width = 1,
+                                  .nodes = nodes,
+                                  .spacing = spacing,
+                                  .triangles = triangles};
+    TRY(room_cut(&s->room, ROOM(s->used, count), ROOM(s->node, count),
+                 ROOM(s->shape, count), ROOM(s->area, count), ROOM(s->corner, triangles)));
+    for (int n = 0; n < count; n++)
+        s->used[n] = 1, s->node[n] = n, s->shape[n] = 1;
+    memcpy(s->area, area, (size_t)count * sizeof *area);
+    memcpy(s->corner, corner, (size_t)triangles * sizeof *corner);
 out:
     return st;
 }

@@ -37,7 +37,9 @@ struct contact_surface {
     double *area;    /* [count]                                               [m^2]   */
     double *flat[2]; /* [points] lengths at rest along u (v = 1/2) and v (u = 0) from the
                         edge of each sheet, for distances along it             [m]     */
-    double around;   /* length at rest along v of a sheet closed around, or 0 [m]         */
+    double spacing;  /* longest of neighbouring samples at rest                       [m] */
+    int triangles, (*corner)[3]; /* between samples that are in no grid; NULL: in cells */
+    double around; /* length at rest along v of a sheet closed around, or 0 [m]         */
 };
 
 /* Tells whether two samples are of two sheets, which no way along a sheet connects. */
@@ -68,6 +70,12 @@ enum status contact_surface_init_even(struct contact_surface *s, const struct sc
  * points[0] are those of all sheets. */
 enum status contact_surface_init_net(struct contact_surface *s, const struct scene *scene,
                                      const int points[2]);
+
+/* Makes the samples of a mesh: its first `count` nodes, with their areas, and the triangles
+ * between them. A sheet does not meet itself on it. */
+enum status contact_surface_init_mesh(struct contact_surface *s, int nodes, int count,
+                                      const double *area, int triangles,
+                                      const int (*corner)[3], double spacing);
 void contact_surface_clear(struct contact_surface *s);
 
 /* Fills line[(breaks - 1) per + 1] with `per` samples a span of the ascending

@@ -155,17 +155,6 @@ static enum status add_body(struct contact_thin *t, int obstacle)
     return o->kind == OBSTACLE_MESH ? add_mesh(t, obstacle) : STATUS_OK;
 }
 
-/* Returns the longest spacing of samples at rest. */
-static double spacing_of(const struct contact_surface *s)
-{
-    double most = 0;
-
-    for (int d = 0; d < 2; d++)
-        for (int k = 0; k + 1 < s->points[d]; k++)
-            most = fmax(most, s->flat[d][k + 1] - s->flat[d][k]);
-    return most;
-}
-
 enum status contact_thin_init(struct contact_thin *t, const struct scene *scene,
                               const struct contact_surface *surface, double start)
 {
@@ -173,7 +162,7 @@ enum status contact_thin_init(struct contact_thin *t, const struct scene *scene,
     const size_t values = 3 * (size_t)surface->count;
 
     *t = (struct contact_thin){
-        .surface = surface, .scene = scene, .start = start, .spacing = spacing_of(surface)};
+        .surface = surface, .scene = scene, .start = start, .spacing = surface->spacing};
     for (int o = 0; o < scene->obstacle_count; o++)
         TRY(add_body(t, o));
     if (t->count)
@@ -232,6 +221,28 @@ static enum status add_pair(struct contact_thin *t, int feature, int triangle)
     return STATUS_OK;
 }
 
+/* Adds the pairs of these features with the triangles of a mesh. */
+static enum status pair_triangles(struct contact_thin *t, int first, int end,
+                                  const struct contact_thin_box *all)
+{
+    enum status st = STATUS_OK;
+
+    for (int n = 0; n < t->surface->triangles; n++) {
+        const int *corner = t->surface->corner[n];
+        struct contact_thin_box box =
+            box_of(t->y + 3L * corner[0], t->y_old + 3L * corner[0], 0);
+        for (int k = 1; k < 3; k++) {
+            include(&box, t->y + 3L * corner[k], 0);
+            include(&box, t->y_old + 3L * corner[k], 0);
+        }
+        for (int f = first; f < end && meets(&box, all); f++)
+            if (meets(&box, &t->box[f]))
+                TRY(add_pair(t, f, n));
+    }
+out:
+    return st;
+}
+
 /* Adds the pairs of the features from `first` up to `end`, which `all` holds. */
 static enum status pair_cells(struct contact_thin *t, int first, int end,
                               const struct contact_thin_box *all)
@@ -240,6 +251,8 @@ static enum status pair_cells(struct contact_thin *t, int first, int end,
     const int m = s->points[1];
     enum status st = STATUS_OK;
 
+    if (s->corner)
+        return pair_triangles(t, first, end, all);
     for (int n = 0; n < s->count - m; n++) {
         const double *y = t->y + 3L * n, *old = t->y_old + 3L * n;
         if (n % m == m - 1 || contact_surface_cut(s, n / m))

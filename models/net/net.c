@@ -11,9 +11,9 @@
 const char *net_mesh_lacks(const struct scene *scene, const struct discretization *d,
                            bool springs)
 {
-    const bool meets = scene->obstacle_count || scene->contact.self;
-
-    return scene->pattern && meets     ? "contact of a sheet with an outline: not yet"
+    return scene->pattern && scene->contact.self
+               ? "a sheet with an outline meets bodies only, not yet itself: "
+                 "contact={self: false}"
            : scene->pattern && d->mesh ? "mesh: a sheet with an outline has its own, which "
                                          "points, seed and refine change"
            : mesh_is_grid(scene, d)    ? ""

@@ -243,6 +243,8 @@ def _run(path, file, most, times, step):
     listed = re.search(r"^sheets:\n((?: .*\n)*)", text("scene"), re.M)
     sheets = max(1, len(re.findall(r"^ +- ", listed[1] if listed else "", re.M)))
     width = xyz.shape[3] // sheets
+    if numpy.isnan(xyz[0]).any():  # an outline needs all points
+        step = 1
     middle = numpy.array([xyz[n, :, ::step].mean(0) for n in frames])
     middle = numpy.stack([middle[:, :, s * width:(s + 1) * width:step] for s in range(sheets)], 1)
     triangles = {n: found[:].reshape(-1, 3, 3) for n in range(64)

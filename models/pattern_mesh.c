@@ -431,8 +431,8 @@ static enum status relax(struct work *w)
             memcpy(flat->at, old, count * sizeof *old);
         mesh_flat_improve(flat, w->edge, w->edges, w->side, pow(w->width, 4));
     }
+    const enum status st = sum && old ? STATUS_OK : STATUS_MEMORY;
     free(old);
-    const enum status st = sum ? STATUS_OK : STATUS_MEMORY;
     free(sum);
     return st;
 }

@@ -119,32 +119,50 @@ static void try_models(const char *only)
         try_contestant(c, "swing", false, "time.step=0.005");
         try_contestant(c, "contact", false,
                        "obstacles=[{plane: {point: [0,0,-0.0006], normal: [0,0,1]}}]");
+        try_contestant(c, "outline", false,
+                       "sheet={outline: [[0, 0], [1, 0], [0.7, 0.6], [0, 0.5]], holes: "
+                       "[[[0.2, 0.2], [0.3, 0.2], [0.3, 0.3]]], thickness: 0.001}");
         if (c->model->equilibrium || c->model->modes)
             try_contestant(c, "rest", true, "gravity=[0,0,-0.001]");
     }
 }
 
-/* Reads a scene with every part of an obstacle that has memory of its own. */
-static enum status read_bodies(const void *what, struct message *why)
+static enum status read_scene(const char *setting, struct message *why)
 {
-    const char *const settings[] = {
-        "obstacles=[{sphere: {center: [0,0,-9], radius: 1}, path: [[0,0,0,0]], turn: "
-        "{axis: "
-        "[0,0,1], about: [0,0,0], angles: [[0,0]]}}, {mesh: {file: " SOURCE_DIR
-        "/tests/bad_scenes/mesh_inside.obj, at: [0,0,-9]}}]"};
     struct discretization d = {.weights = NULL};
     struct scene scene;
     enum status st = scene_file_read(SOURCE_DIR "/models/scenes/edge_drop.yaml", 1,
-                                     settings, &scene, &d, why);
+                                     &setting, &scene, &d, why);
 
-    (void)what;
     scene_clear(&scene);
     return st;
+}
+
+/* Reads a scene whose sheet is a mesh. */
+static enum status read_mesh(const void *what, struct message *why)
+{
+    (void)what;
+    return read_scene("sheet={mesh: " SOURCE_DIR
+                      "/tests/reference/freefem_morley_hole.obj, thickness: 0.001}",
+                      why);
+}
+
+/* Reads one with every part of an obstacle that has memory of its own. */
+static enum status read_bodies(const void *what, struct message *why)
+{
+    (void)what;
+    return read_scene(
+        "obstacles=[{sphere: {center: [0,0,-9], radius: 1}, path: [[0,0,0,0]], turn: "
+        "{axis: "
+        "[0,0,1], about: [0,0,0], angles: [[0,0]]}}, {mesh: {file: " SOURCE_DIR
+        "/tests/bad_scenes/mesh_inside.obj, at: [0,0,-9]}}]",
+        why);
 }
 
 int main(int argc, char **argv)
 {
     try_all(&(struct deed){"a scene with bodies", read_bodies, NULL, .every = true});
+    try_all(&(struct deed){"a scene that is a mesh", read_mesh, NULL, .every = true});
     for (int n = 1; n < argc || n == 1; n++)
         try_models(argv[n]);            /* NULL behind the last: all */
     return asked ? check_result() : 77; /* libraries that cannot be wrapped */

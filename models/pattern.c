@@ -258,7 +258,8 @@ static bool has(const struct pattern *p, int count, const int *side, double x, d
         const double d[2] = {b[0] - a[0], b[1] - a[1]}, e[2] = {x - a[0], y - a[1]};
         const double along = (e[0] * d[0] + e[1] * d[1]) / (d[0] * d[0] + d[1] * d[1]);
         const double s = fmin(fmax(along, 0), 1);
-        if (hypot(e[0] - s * d[0], e[1] - s * d[1]) <= p->near)
+        const double off[2] = {e[0] - s * d[0], e[1] - s * d[1]};
+        if (off[0] * off[0] + off[1] * off[1] <= p->near * p->near)
             return true;
         in ^= (a[1] > y) != (b[1] > y) && e[0] < e[1] / d[1] * d[0];
     }

@@ -347,7 +347,8 @@ static bool has_room(const struct work *w, const double at[2])
         const double e[2] = {at[0] - from[0], at[1] - from[1]};
         const double along = (e[0] * d[0] + e[1] * d[1]) / (d[0] * d[0] + d[1] * d[1]);
         const double s = fmin(fmax(along, 0), 1);
-        if (hypot(e[0] - s * d[0], e[1] - s * d[1]) < least)
+        const double off[2] = {e[0] - s * d[0], e[1] - s * d[1]};
+        if (off[0] * off[0] + off[1] * off[1] < least * least)
             return false;
     }
     return pattern_has(w->p, at[0], at[1]);

@@ -43,6 +43,15 @@ static bool place_of(const struct reading *r, const struct obj_file_corner *corn
     return inside;
 }
 
+/* Tells whether a corner's place in space is that of its pattern. */
+static bool starts_flat(const struct reading *r, const struct obj_file_corner *corner)
+{
+    const double *v = r->obj.vertex[corner->v].at;
+    const double *vt = corner->vt < 0 ? v : r->obj.texture[corner->vt];
+
+    return hypot(v[0] - vt[0], v[1] - vt[1]) <= NEAR && (vt == v || fabs(v[2]) <= NEAR);
+}
+
 static enum status add_corner(struct reading *r, struct mesh_flat *flat, int *node,
                               const struct obj_file_corner *corner, int *into,
                               struct message *why)
@@ -50,6 +59,12 @@ static enum status add_corner(struct reading *r, struct mesh_flat *flat, int *no
     double at[2];
 
     r->line.line = corner->line;
+    if (!r->side && !starts_flat(r, corner))
+        return yaml_tree_refuse(
+            &r->line, why,
+            "`v` %d is not where its `vt` is: a start that is not the flat pattern is not "
+            "there yet; x and y as vt, and z = 0, would be right",
+            corner->v + 1);
     if (!place_of(r, corner, at) && !r->side)
         return yaml_tree_refuse(&r->line, why,
                                 "the point at %g, %g m is farther than %g m from 0; nearer "

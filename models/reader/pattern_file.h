@@ -14,8 +14,8 @@
 enum status pattern_file_read(const char *path, const double side[2],
                               struct mesh_flat *flat, struct message *why);
 
-/* Reads a sheet of any outline, in one piece: its plane is vt in metres, where faces name
- * vt, else x and y; size[2]: of its box [m]. *pattern is the caller's. */
+/* Reads a sheet of any outline, in one piece: its plane is x and y in metres, and so is vt,
+ * where faces name it; size[2]: of its box [m]. *pattern is the caller's. */
 enum status pattern_file_outline(const char *path, struct pattern **pattern, double size[2],
                                  struct message *why);
 

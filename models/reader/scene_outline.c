@@ -25,8 +25,8 @@ const struct schema_key scene_outline_keys[] = {
      SCHEMA_SPECIAL, .read = read_later, .want = "3 to 10000 points [x, y]"},
     {"holes", "closed lines in the outline [m]", SCHEMA_SPECIAL, .read = read_later,
      .want = "a list of lines of points [x, y]"},
-    {"mesh", "in place of an outline: OBJ file, sought from the scene's folder, whose vt, or x "
-     "and y, is the flat pattern [m]", SCHEMA_TEXT, .offset = offsetof(struct scene, pattern_file)},
+    {"mesh", "in place of an outline: OBJ file, sought from the scene's folder, whose x "
+     "and y are the flat pattern [m]", SCHEMA_TEXT, .offset = offsetof(struct scene, pattern_file)},
     {"thickness", "h along w; fabrics have their own [m]", SCHEMA_NUMBER, .low = 1e-9,
      .high = 1e6, .offset = offsetof(struct scene, thickness)},
     {NULL}};

@@ -27,8 +27,6 @@
  * solver, nothing of their mechanics. */
 enum truth_model { TRUTH_SOLID, TRUTH_SHELL, TRUTH_MODELS };
 
-const struct contestant *truth_level_contestant(enum truth_model model);
-
 /* One run: a net with a step. */
 struct truth_level {
     enum truth_model model;
@@ -36,7 +34,10 @@ struct truth_level {
     double step;      /* [s]                                                           */
     bool perturbed;   /* by TRUTH_PERTURBATION                                         */
     int repeats;      /* of the points, for knots that repeat at supports' ends        */
+    bool meshed;      /* of a sheet with an outline: triangles stand for solid and shell */
 };
+
+const struct contestant *truth_level_contestant(const struct truth_level *level);
 
 /* The common part of all runs of a scene; borrowed. */
 struct truth_runs {
@@ -153,6 +154,7 @@ struct truth {
     bool closed;                    /* a closed form, nobody's run                       */
     bool foreign;                   /* somebody else's (truth_third_make)                */
     bool alone;                     /* the bar is one model's own                        */
+    bool outlined;                  /* its fields have NaN beside the sheet              */
     char unresolved[1200];          /* why it is none at some times, a sentence; else "" */
     char horizon[TRUTH_WATCH_TEXT]; /* until when it is predictable: gravity is changed a
                                        little, and the change watched as long as the scene

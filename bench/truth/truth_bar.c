@@ -131,14 +131,18 @@ static void evaluate(const struct field *f, double *xyz)
 static double apart(const struct field *a, const struct field *b)
 {
     double sum = 0;
+    int beside = 0; /* coordinates that neither has */
 
     if (!(a->left > 0) && !(b->left > 0))
         return metric_rmse(a->fine, b->fine);
     for (int n = 0; n < 3 * GRID_POINTS; n++) {
         const double d = at(a, n) - at(b, n);
-        sum += d * d;
+        if (isnan(a->fine[n]) && isnan(b->fine[n]))
+            beside++;
+        else
+            sum += d * d;
     }
-    return sqrt(sum / GRID_POINTS);
+    return sqrt(sum / (GRID_POINTS - beside / 3));
 }
 
 /* The number of runs from which on a family shows whether its limits have settled. */
@@ -308,14 +312,14 @@ void truth_bar_judge(const struct truth_family family[TRUTH_MODELS],
 
 void truth_bar_level(const struct truth_level *l, bool own, char text[TRUTH_BAR_LEVEL])
 {
-    static const char *const first[] = {"selective solid, cured of locking",
-                                        "Kirchhoff-Love shell, cured of locking"},
-                             *const other[] = {"selective solid",
-                                               "cured Kirchhoff-Love shell"};
+    char degree[16] = "";
 
-    snprintf(text, TRUTH_BAR_LEVEL, "%s, p = %d, %dx%d, %s%.4g ms",
-             (own ? first : other)[l->model], l->degree, l->side, l->side,
-             own ? "step " : "", 1e3 * l->step);
+    if (!l->meshed)
+        snprintf(degree, sizeof degree, "p = %d, ", l->degree);
+    snprintf(
+        text, TRUTH_BAR_LEVEL, "%s, %s%dx%d, %s%.4g ms",
+        truth_level_word(l->model, l->meshed, own ? TRUTH_FORM_WHOLE : TRUTH_FORM_OTHER),
+        degree, l->side, l->side, own ? "step " : "", 1e3 * l->step);
 }
 
 void truth_bar_horizon(const struct truth_push *push, bool blunt, int count,
@@ -329,13 +333,13 @@ void truth_bar_horizon(const struct truth_push *push, bool blunt, int count,
         most = fmax(most, growth(push, n, length));
     const bool lost = most > TRUTH_MOST_GROWTH;
     snprintf(text, TRUTH_WATCH_TEXT,
-             "a change of gravity by %g %s %.2g-fold %s %.3g s: %s (%s "
+             "a change of gravity by %g %s %.2g-fold %s %.3g s: %s (%s, "
              "%dx%d, step %.3g ms)",
              TRUTH_PERTURBATION, lost ? "has grown" : "grows at most", most,
              lost ? "at" : "up to", time[n - 1],
              lost && blunt ? "on a net too coarse to know the motion, which says nothing"
              : lost        ? "from there on the motion cannot be predicted"
                            : "so long the motion can be predicted",
-             level->model == TRUTH_SOLID ? "solid," : "shell,", level->side, level->side,
-             1e3 * level->step);
+             truth_level_word(level->model, level->meshed, TRUTH_FORM_WORD), level->side,
+             level->side, 1e3 * level->step);
 }

@@ -266,7 +266,7 @@ enum status truth_closed_make(const struct scene *s, struct truth *t)
     int count = 0;
 
     *t = (struct truth){0};
-    TRY(falls(s) || rests(s) ? STATUS_OK : STATUS_UNSUPPORTED);
+    TRY(!s->pattern && (falls(s) || rests(s)) ? STATUS_OK : STATUS_UNSUPPORTED);
     for (int n = 0; n < s->snapshot_count && falls(s); n++)
         if (s->snapshots[n] > 0)
             time[count++] = s->snapshots[n];

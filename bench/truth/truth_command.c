@@ -161,6 +161,10 @@ static enum status print(const struct truth *made, const struct scene *scene,
              made->closed ? "" : "observed orders and ");
     for (int c = 0; c < COLUMNS; c++) {
         heads[c] = columns[c].head;
+        if (scene->pattern && columns[c].value == TRUTH_SOLID_SPACE)
+            heads[c].header = "turns: in space";
+        if (scene->pattern && columns[c].value == TRUTH_SHELL_SPACE)
+            heads[c].header = "slopes: in space";
         heads[c].readers =
             has_column(made, columns[c].value) ? columns[c].head.readers : DATASET_NOBODY;
     }
@@ -497,7 +501,8 @@ const struct command truth_command = {
         "If the scene is a closed form (a free fall; nu = 0 and hanging or clamped\n"
         "level, at rest under mass damping), its truth is known at once. Otherwise the\n"
         "command runs the nonlinear solid and the nonlinear shell, both cured of\n"
-        "locking, on finer and finer nets with shorter and shorter steps, until the\n"
+        "locking, on finer and finer nets with shorter and shorter steps (of a sheet with\n"
+        "an outline triangles of two kinds, on two meshes), until the\n"
         "error bar is as small as requested. It stops earlier, and says so, at the\n"
         "horizon, at the end of the budget, or where the two models contradict each\n"
         "other. It prints the observed orders, the error bars that follow from them, the\n"

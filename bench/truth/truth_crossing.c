@@ -10,7 +10,7 @@
  * known). */
 static enum status search(struct truth *made, int sheets)
 {
-    struct intersection work = {0};
+    struct intersection work = {.sparse = made->outlined};
     enum status st = STATUS_OK;
 
     for (int n = 0; n < made->claimed; n++) {

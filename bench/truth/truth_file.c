@@ -11,6 +11,7 @@
 #include "models/contact/contact_mesh.h"
 #include "models/damping.h"
 #include "models/grid.h"
+#include "models/pattern.h"
 #include "models/reader/scene_schema.h"
 
 /* --- What it holds for --- */
@@ -120,6 +121,9 @@ enum status truth_physics(const struct scene *s, char **text)
     if (!out)
         return STATUS_MEMORY;
     print(out, "sheet", 3, (double[]){s->length, s->width, s->thickness});
+    for (int k = 0; s->pattern && k < s->pattern->lines; k++)
+        print(out, "line", 2 * (s->pattern->line[k + 1] - s->pattern->line[k]),
+              s->pattern->at[s->pattern->line[k]]);
     fprintf(out, "shape %s\n", scene_shape_words[s->shape]);
     if (s->shape == SCENE_CLOAK)
         print(out, "cloak", 2, (double[]){s->opening, s->flare});
@@ -266,7 +270,7 @@ static bool is_single(const struct truth *t)
 {
     for (int n = 0; n < t->claimed; n++)
         for (int k = 0; k < 3 * GRID_POINTS; k++)
-            if ((double)(float)t->xyz[n][k] != t->xyz[n][k])
+            if ((double)(float)t->xyz[n][k] != t->xyz[n][k] && !isnan(t->xyz[n][k]))
                 return false;
     return true;
 }
@@ -311,7 +315,7 @@ static enum status read_run(const struct truth_runs *runs, const struct truth *m
     if (made->closed || made->foreign)
         return contestant_read_scene(runs->settings, runs->path, &run->scene, why);
     CALL(truth_level_settings(runs, &made->level, &c.settings, why));
-    c.contestant = truth_level_contestant(made->level.model);
+    c.contestant = truth_level_contestant(&made->level);
     return run_read(run, &c, why);
 }
 
@@ -453,6 +457,7 @@ static enum status read_judged(const char *path, bool search, struct truth *made
 
     TRY(read_alone(path, made, why));
     TRY(judge_by_third(path, made, why));
+    made->outlined = strstr(made->physics, "\nline ");
     st = search ? truth_crossing_judge(made, count_sheets(made->physics)) : STATUS_OK;
     if (st == STATUS_INPUT)
         status_fail(why, st, "%s: has positions that are no finite numbers", path);

@@ -11,11 +11,24 @@ enum { PATH = 4096 };
 
 static const double EARTH = 9.81; /* [m/s^2] */
 
-const struct contestant *truth_level_contestant(enum truth_model model)
+const char *truth_level_word(enum truth_model model, bool meshed, enum truth_form form)
+{
+    static const char *const word[2][TRUTH_MODELS][3] = {
+        {{"selective solid, cured of locking", "selective solid", "solid"},
+         {"Kirchhoff-Love shell, cured of locking", "cured Kirchhoff-Love shell", "shell"}},
+        {{"triangles with turns at mid-edges", "triangles with turns", "turns"},
+         {"triangles with slopes at edges, on another mesh", "triangles with slopes",
+          "slopes"}}};
+
+    return word[meshed][model][form];
+}
+
+const struct contestant *truth_level_contestant(const struct truth_level *level)
 {
     static const char *const name[] = {"iga_selective_3", "shell_selective_3"};
     const struct contestant *c = NULL;
-    const enum status st = contestant_find(name[model], &c, NULL);
+    const enum status st =
+        contestant_find(level->meshed ? "triangles" : name[level->model], &c, NULL);
 
     assert(st == STATUS_OK);
     (void)st;
@@ -45,13 +58,20 @@ enum status truth_level_settings(const struct truth_runs *runs,
                                  const struct truth_level *level, struct settings *settings,
                                  struct message *why)
 {
-    const struct contestant *c = truth_level_contestant(level->model);
+    const struct contestant *c = truth_level_contestant(level);
     const int degree[] = {level->degree, level->degree, 1};
+    static const char *const meshed[][TRUTH_MODELS] = {
+        {"discretization.mesh=irregular", "discretization.mesh=irregular"},
+        {"discretization.bending=midedge", "discretization.bending=quadratic"},
+        {"discretization.seed=0", "discretization.seed=1"}};
 
     settings_append(settings, runs->settings);
     contestant_settings(c, settings);
     contestant_points(c, level->side, level->side, settings);
-    settings_integers(settings, "discretization.degree", c->layers ? 3 : 2, degree);
+    if (!level->meshed)
+        settings_integers(settings, "discretization.degree", c->layers ? 3 : 2, degree);
+    for (size_t n = 0; level->meshed && n < sizeof meshed / sizeof *meshed; n++)
+        settings_set(settings, meshed[n][level->model]);
     settings_number(settings, "time.step", level->step);
     return level->perturbed ? push(runs->path, runs->settings, settings, why) : STATUS_OK;
 }
@@ -83,13 +103,13 @@ static enum status check(const struct run_result *r, const struct truth_level *l
     if (run_result_refused(r))
         return status_fail(why, STATUS_UNSUPPORTED,
                            "the %s, %dx%d, that was to be the truth would not: %s",
-                           truth_level_contestant(level->model)->title, level->side,
-                           level->side, r->sentence.text);
+                           truth_level_contestant(level)->title, level->side, level->side,
+                           r->sentence.text);
     if (r->frames >= runs->times)
         return STATUS_OK;
     return status_fail(why, STATUS_DIVERGED, "the %s, %dx%d, that was to be the truth %s",
-                       truth_level_contestant(level->model)->title, level->side,
-                       level->side, r->sentence.text);
+                       truth_level_contestant(level)->title, level->side, level->side,
+                       r->sentence.text);
 }
 
 /* Reads a level's scene, and names its file, which may have more times than are asked for,
@@ -106,8 +126,11 @@ static enum status read_level(const struct truth_runs *runs,
     run->scene.end = runs->time[runs->times - 1];
     c->until = runs->until;
     snprintf(name, sizeof name, "truth_%s_p%d_%d_%ldus%s",
-             level->model == TRUTH_SOLID ? "selective" : "cured", level->degree,
-             level->side, lround(1e6 * level->step), level->perturbed ? "_perturbed" : "");
+             level->meshed ? truth_level_word(level->model, true, TRUTH_FORM_WORD)
+             : level->model == TRUTH_SOLID ? "selective"
+                                           : "cured",
+             level->degree, level->side, lround(1e6 * level->step),
+             level->perturbed ? "_perturbed" : "");
     c->keep = (struct run_keep){.times = runs->times, .time = runs->time, .made_for = key};
     case_file(c, runs->folder, name);
     return STATUS_OK;
@@ -116,7 +139,7 @@ static enum status read_level(const struct truth_runs *runs,
 enum status truth_level_find(const struct truth_runs *runs, const struct truth_level *level,
                              struct run_result *r, struct message *why)
 {
-    struct case_plan c = {runs->path, truth_level_contestant(level->model)};
+    struct case_plan c = {runs->path, truth_level_contestant(level)};
     struct run run = {0};
     char key[CASE_KEY];
     enum status st;

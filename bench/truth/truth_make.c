@@ -68,6 +68,19 @@ static bool fits(const struct scene *scene, int spans)
     return good;
 }
 
+/* Gives the k-th mesh and step: three triangles a side where splines have a span. */
+static bool mesh_rung(double frame, const int *sizes, int count, int k,
+                      struct truth_level *level)
+{
+    if (k + 1 >= count)
+        return false;
+    *level = (struct truth_level){.degree = 1,
+                                  .side = 9 * sizes[k + 1] + 1,
+                                  .step = frame / sizes[k + 1],
+                                  .meshed = true};
+    return true;
+}
+
 bool truth_plan_rung(const struct scene *scene, double frame, int k,
                      struct truth_level *level)
 {
@@ -76,6 +89,8 @@ bool truth_plan_rung(const struct scene *scene, double frame, int k,
     enum { DEGREE = 3, LEAST = 6, SIZES = sizeof sizes / sizeof *sizes };
     int unit = 3, first = 0, repeats = 0;
 
+    if (scene->pattern) /* triangles, of which a span needs three a side */
+        return mesh_rung(frame, sizes, SIZES, k, level);
     for (int i = 0; i < 2; i++)
         repeats = (int)fmax(repeats,
                             support_knots_repeats(scene, i, DEGREE, SUPPORT_KNOTS_SOLID));
@@ -171,7 +186,7 @@ struct truth_outlook truth_make_look(const struct truth_family family[TRUTH_MODE
 {
     static const int bar[TRUTH_MODELS] = {TRUTH_SOLID_BAR, TRUTH_SHELL_BAR};
     const double length = scene->length;
-    struct truth_outlook o = {0};
+    struct truth_outlook o = {.meshed = scene->pattern};
     struct truth_level next;
     bool met = true;
 
@@ -266,10 +281,11 @@ static void tell(const struct truth_wish *wish, const struct truth_outlook *o,
                  found);
         break;
     case TRUTH_GO:
-        snprintf(text, TRUTH_END_TEXT,
-                 "after %.3g s the bar is %.2g %%, and %.3g %% was requested; next%s: %s",
-                 o->spent, found, wanted, met ? ", to see whether it stays so" : "",
-                 next == TRUTH_SOLID ? "the solid" : "the shell");
+        snprintf(
+            text, TRUTH_END_TEXT,
+            "after %.3g s the bar is %.2g %%, and %.3g %% was requested; next%s: the %s",
+            o->spent, found, wanted, met ? ", to see whether it stays so" : "",
+            truth_level_word(next, o->meshed, TRUTH_FORM_WORD));
         break;
     case TRUTH_LOST:
         snprintf(text, TRUTH_END_TEXT,
@@ -279,10 +295,13 @@ static void tell(const struct truth_wish *wish, const struct truth_outlook *o,
         break;
     case TRUTH_APART:
         snprintf(text, TRUTH_END_TEXT,
-                 "no: solid and shell differ by %.2g %%, and their own bars, %.2g %% and "
-                 "%.2g %%, do not explain it: this thickness makes them two sheets; %s",
+                 "no: %s and %s differ by %.2g %%, and their own bars, %.2g %% and "
+                 "%.2g %%, do not explain it%s; %s",
+                 truth_level_word(TRUTH_SOLID, o->meshed, TRUTH_FORM_WORD),
+                 truth_level_word(TRUTH_SHELL, o->meshed, TRUTH_FORM_WORD),
                  100 * o->difference, 100 * o->model[TRUTH_SOLID].bar,
-                 100 * o->model[TRUTH_SHELL].bar, known);
+                 100 * o->model[TRUTH_SHELL].bar,
+                 o->meshed ? "" : ": this thickness makes them two sheets", known);
         break;
     case TRUTH_DEAR:
         snprintf(text, TRUTH_END_TEXT,
@@ -531,6 +550,7 @@ enum status truth_make(const struct truth_runs *runs, const struct scene *scene,
     TRY(push(&k, f, f->count - 1, why));
     TRY(work(&k, made, &o, end, why));
     end->known = o.known;
+    made->outlined = scene->pattern;
     truth_bar_horizon(&k.push, o.blunt, made->times, made->time, scene->length,
                       made->horizon);
 out:

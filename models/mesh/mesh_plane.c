@@ -209,7 +209,7 @@ static enum status make_outline(struct mesh_flat *flat, const struct scene *scen
     const struct mesh_flat *own = &scene->pattern->mesh;
     const double cells = (d->points[0] - 1.) * (d->points[1] - 1.);
 
-    if (!own->nodes)
+    if (!own->nodes || d->mesh)
         return pattern_mesh(scene, sqrt(scene->length * scene->width / cells / sqrt(0.75)),
                             d->seed, flat);
     const enum status st = mesh_flat_make(flat, own->nodes, own->triangles);

@@ -239,6 +239,8 @@ double *metric_rest_field(const struct scene *scene)
         double uvw[3];
         grid_point(n, uvw);
         scene_rest_point(scene, uvw, xyz + 3 * (size_t)n);
+        for (int c = 0; scene_void(scene, n % GRID_U, n / GRID_U % GRID_V) && c < 3; c++)
+            xyz[3 * n + c] = NAN;
     }
     return xyz;
 }

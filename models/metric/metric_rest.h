@@ -38,7 +38,8 @@ double metric_rest_highest(const struct scene *scene, const double lo[3],
 double metric_rest_distance(const struct scene *scene, const double lo[3],
                             const double hi[3], double near, const double x[3]);
 
-/* Returns the rest shape on the whole grid (grid.h) [m]; freed by the receiver, or NULL. */
+/* Returns the rest shape on the whole grid (grid.h) [m], NaN beside the sheet; freed by the
+ * receiver, or NULL. */
 double *metric_rest_field(const struct scene *scene);
 
 #endif

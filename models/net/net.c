@@ -14,9 +14,11 @@ const char *net_mesh_lacks(const struct scene *scene, const struct discretizatio
     return scene->pattern && scene->contact.self
                ? "a sheet with an outline meets bodies only, not yet itself: "
                  "contact={self: false}"
-           : scene->pattern && d->mesh ? "mesh: a sheet with an outline has its own, which "
-                                         "points, seed and refine change"
-           : mesh_is_grid(scene, d)    ? ""
+           : scene->pattern && d->mesh && strcmp(d->mesh, "irregular")
+               ? "mesh: a sheet with an outline has its own, or one that is made anew from "
+                 "the "
+                 "outline, mesh=irregular"
+           : mesh_is_grid(scene, d) ? ""
            : scene_sheets(scene) > 1 || scene->shape != SCENE_FLAT
                ? "a mesh: of one flat sheet only"
            : springs && scene->is_fabric ? "springs of a mesh: of an isotropic sheet only; "

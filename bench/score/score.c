@@ -179,6 +179,12 @@ enum status score_truth_read(const char *scene, struct score_truth *t, struct me
     TRY(scene_file_find(scene, &path, why));
     TRY(truth_plan_scene(path, &settings, &t->scene, why));
     t->undamped = settings.count > 0;
+    if (t->scene.pattern)
+        TRY(status_fail(
+            why, STATUS_INPUT,
+            "%s: frames of a sheet with an outline are not judged yet; those of "
+            "a rectangle are",
+            scene));
     TRY(take_known(t, why));
     if (!t->known.claimed)
         TRY(take_formula(scene, path, &settings, t, why));

@@ -5,8 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "models/scene.h"
-
 void mesh_flat_clear(struct mesh_flat *flat)
 {
     free(flat->at);
@@ -98,7 +96,7 @@ out:
 /* --- grids ------------------------------------------------------------------------------
  */
 
-enum status mesh_flat_grid(struct mesh_flat *flat, const struct scene *scene,
+enum status mesh_flat_grid(struct mesh_flat *flat, const double size[2],
                            const int points[2], bool alternate)
 {
     const int n = points[0], m = points[1];
@@ -108,8 +106,8 @@ enum status mesh_flat_grid(struct mesh_flat *flat, const struct scene *scene,
         return st;
     flat->nodes = n * m;
     for (int a = 0; a < n * m; a++) {
-        flat->at[a][0] = (double)(a / m) / (n - 1) * scene->length;
-        flat->at[a][1] = (double)(a % m) / (m - 1) * scene->width;
+        flat->at[a][0] = (double)(a / m) / (n - 1) * size[0];
+        flat->at[a][1] = (double)(a % m) / (m - 1) * size[1];
     }
     for (int a = 0; a < (n - 1) * m; a++) {
         const int p = a, q = a + m, r = a + m + 1, s = a + 1;
@@ -123,13 +121,10 @@ enum status mesh_flat_grid(struct mesh_flat *flat, const struct scene *scene,
     return STATUS_OK;
 }
 
-/* --- irregular ones ---------------------------------------------------------------------
+/* --- turned edges -----------------------------------------------------------------------
  */
 
-/* The most that a point moves, in cells, and the parts in which it does: in each triangles
- * stay such that turning edges makes them Delaunay's again. */
-static const double MOST = 0.3;
-enum { PARTS = 24, SWEEPS = 64 };
+enum { SWEEPS = 64 };
 
 /* Shares of the squared lengths below which four points lie on a circle. */
 static const double ROUND = 1e-10;
@@ -142,21 +137,6 @@ double mesh_flat_random(uint64_t *state)
     z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
     z ^= z >> 31;
     return (double)(z >> 11) / (double)(1ull << 52) - 1;
-}
-
-/* Tells whether a coordinate of a node is fixed, since it is that of a support's edge. */
-static bool is_edge(const struct scene *scene, const double uv[2], int along)
-{
-    const double near = 1e-9;
-
-    for (const struct scene_support *s = scene->supports;
-         s < scene->supports + scene->support_count; s++)
-        if ((fabs(uv[along] - s->lo[along]) < near ||
-             fabs(uv[along] - s->hi[along]) < near) &&
-            uv[1 - along] > s->lo[1 - along] - near &&
-            uv[1 - along] < s->hi[1 - along] + near)
-            return true;
-    return uv[along] < near || uv[along] > 1 - near;
 }
 
 double mesh_flat_area2(const struct mesh_flat *flat, int a, int b, int c)
@@ -251,49 +231,6 @@ bool mesh_flat_good(const struct mesh_flat *flat, double least)
             return false;
     }
     return true;
-}
-
-static void move(struct mesh_flat *flat, const double (*way)[2], double part)
-{
-    for (int a = 0; a < flat->nodes; a++)
-        for (int i = 0; i < 2; i++)
-            flat->at[a][i] += part * way[a][i];
-}
-
-enum status mesh_flat_jitter(struct mesh_flat *flat, const struct scene *scene,
-                             const int points[2], int seed)
-{
-    const double size[2] = {scene->length, scene->width};
-    const double cell[2] = {size[0] / (points[0] - 1), size[1] / (points[1] - 1)};
-    const double area = cell[0] * cell[1], sliver = 0.02;
-    double(*way)[2] = malloc((size_t)flat->nodes * sizeof *way);
-    struct mesh_edge *edge = NULL;
-    int edges, (*side)[3] = NULL;
-    uint64_t state = (uint64_t)seed;
-    enum status st = STATUS_MEMORY;
-
-    if (!way)
-        goto out;
-    TRY(mesh_flat_edges(flat, &edge, &edges, &side));
-    for (int a = 0; a < flat->nodes; a++)
-        for (int i = 0; i < 2; i++) {
-            const double uv[2] = {flat->at[a][0] / size[0], flat->at[a][1] / size[1]};
-            const double by = mesh_flat_random(&state);
-            way[a][i] = is_edge(scene, uv, i) ? 0 : MOST * cell[i] * by / PARTS;
-        }
-    for (int n = 0; n < PARTS; n++) {
-        move(flat, (const double(*)[2])way, 1);
-        if (!mesh_flat_good(flat, sliver * area)) { /* never seen; what is there will do */
-            move(flat, (const double(*)[2])way, -1);
-            break;
-        }
-        mesh_flat_improve(flat, edge, edges, side, area * area);
-    }
-out:
-    free(way);
-    free(edge);
-    free(side);
-    return st;
 }
 
 /* --- refinement -------------------------------------------------------------------------

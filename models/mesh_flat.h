@@ -1,5 +1,5 @@
 /* mesh_flat.h - triangles in the plane of a rectangular sheet, before they are a mesh: made
- * from a grid, made irregular, refined.
+ * from a grid, turned, refined.
  */
 #ifndef MESH_FLAT_H
 #define MESH_FLAT_H
@@ -8,8 +8,6 @@
 #include <stdint.h>
 
 #include "models/status.h"
-
-struct scene;
 
 struct mesh_flat {
     int nodes, triangles;
@@ -40,8 +38,8 @@ double mesh_flat_area2(const struct mesh_flat *flat, int a, int b, int c);
 bool mesh_flat_good(const struct mesh_flat *flat, double least);
 
 /* Turns the edge k, between two triangles, into their other diagonal; tells whether that
- * makes it Delaunay's, and turns edges until all are (Lawson 1977); scale: a triangle's area
- * squared. */
+ * makes it Delaunay's, and turns edges until all are (Lawson 1977); scale: a triangle's
+ * area squared. */
 void mesh_flat_turn(struct mesh_flat *flat, struct mesh_edge *edge, int (*side)[3], int k);
 bool mesh_flat_turns(const struct mesh_flat *flat, const struct mesh_edge *edge,
                      double scale);
@@ -53,13 +51,8 @@ double mesh_flat_random(uint64_t *state);
 
 /* Cuts the cells of n x m points, number i m + j, by diagonals: neighbouring cells by
  * different ones, so that they meet at points with even i + j, or all by the same. */
-enum status mesh_flat_grid(struct mesh_flat *flat, const struct scene *scene,
+enum status mesh_flat_grid(struct mesh_flat *flat, const double size[2],
                            const int points[2], bool alternate);
-
-/* Moves the points of such a grid by up to 0.3 cells, those on the rim and on the edges of
- * supports along it, and makes the triangles Delaunay's; the same for the same seed. */
-enum status mesh_flat_jitter(struct mesh_flat *flat, const struct scene *scene,
-                             const int points[2], int seed);
 
 /* Cuts each triangle into four. */
 enum status mesh_flat_refine(struct mesh_flat *flat);

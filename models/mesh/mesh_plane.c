@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "models/mesh/mesh.h"
+#include "models/mesh/mesh_irregular.h"
 #include "models/pattern_mesh.h"
 #include "models/reader/pattern_file.h"
 #include "models/room.h"
@@ -232,11 +233,11 @@ static enum status make_flat(struct mesh_flat *flat, const struct scene *scene,
     if (scene->pattern)
         TRY(make_outline(flat, scene, d));
     else if (mesh_is_grid(scene, d) || irregular || diagonal)
-        TRY(mesh_flat_grid(flat, scene, d->points, !diagonal));
+        TRY(mesh_flat_grid(flat, side, d->points, !diagonal));
     else
         TRY(pattern_file_read(d->mesh, side, flat, why));
     if (irregular && !scene->pattern)
-        TRY(mesh_flat_jitter(flat, scene, d->points, d->seed));
+        TRY(mesh_irregular(flat, scene, d->points, d->seed));
     for (int n = 0; n < d->refine; n++)
         TRY(mesh_flat_refine(flat));
 out:

@@ -84,6 +84,17 @@ out:
     return st;
 }
 
+static bool serves(const struct sheet *s)
+{
+    const struct model *model = s->contestant->model;
+    void *state = NULL;
+    const bool does = model_create(model, &s->scene, &s->d, &state, NULL) == STATUS_OK;
+
+    if (does)
+        model_destroy(model, state);
+    return does;
+}
+
 static void try_contestant(const struct contestant *c, const char *kind, bool at_rest,
                            const char *more)
 {
@@ -103,8 +114,7 @@ static void try_contestant(const struct contestant *c, const char *kind, bool at
     if (!CHECK(contestant_read_settings(&all, SOURCE_DIR "/models/scenes/edge_drop.yaml",
                                         &s.scene, &s.d, &why) == STATUS_OK))
         printf("  %s: %s\n", name, why.text);
-    else if (!model_refuse(&s.scene, c->model->serves, NULL) &&
-             contact_rest_refuse(&s.scene, &s.d, NULL) == STATUS_OK)
+    else if (serves(&s) && contact_rest_refuse(&s.scene, &s.d, NULL) == STATUS_OK)
         try_all(&(struct deed){name, live_through, &s});
     settings_clear(&all);
     scene_clear(&s.scene);

@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/mesh/mesh_irregular.h"
 #include "models/reader/pattern_file.h"
 #include "models/scene.h"
 #include "tests/scratch.h"
@@ -120,8 +121,9 @@ static void test_irregular(int seed)
     double area = 0, least = 1;
 
     for (int k = 0; k < 2; k++) {
-        REQUIRE(mesh_flat_grid(&flat[k], &scene, points, true) == STATUS_OK);
-        REQUIRE(mesh_flat_jitter(&flat[k], &scene, points, seed) == STATUS_OK);
+        REQUIRE(mesh_flat_grid(&flat[k], (double[2]){scene.length, scene.width}, points,
+                               true) == STATUS_OK);
+        REQUIRE(mesh_irregular(&flat[k], &scene, points, seed) == STATUS_OK);
     }
     CHECK(!memcmp(flat[0].at, flat[1].at, (size_t)flat->nodes * sizeof *flat->at));
     CHECK(!memcmp(flat[0].triangle, flat[1].triangle,

@@ -52,8 +52,8 @@ static int breaks_of(const struct scene *scene, const double a[2], const double 
     return count;
 }
 
-/* Adds the points of a side, without its end; those of flat->at that there is room for:
- * counts them only without. */
+/* Divides a side, and fills at[] with its points, but for its end; NULL: counts them only.
+ */
 static int divide(const struct work *w, const double a[2], const double b[2], double *share,
                   double (*at)[2])
 {

@@ -44,7 +44,7 @@ double metric_rmse(const double *a, const double *b)
     return sqrt(sum / (GRID_POINTS - beside / 3));
 }
 
-/* Tells whether (i,j) is a point of the sheet, next to one that is. */
+/* Tells whether the grid has a point (i,j), and the sheet is there. */
 static bool is_there(const struct scene *scene, int i, int j)
 {
     return i >= 0 && i < GRID_U && j >= 0 && j < GRID_V && !scene_void(scene, i, j);

@@ -143,8 +143,8 @@ static double highest_in(const struct scene *scene, const double lo[3], const do
     return top;
 }
 
-/* Returns that of a sheet with an outline: of the box's corners that are on it, and of the
- * outline's points in the box. */
+/* Returns the height of the highest point of a sheet with an outline: of those of the box's
+ * corners that are on it, and of the outline's points in the box. */
 static double highest_of(const struct scene *scene, const double lo[3], const double hi[3],
                          const double down[3])
 {

@@ -1,6 +1,7 @@
 /* Refusals of every model of the contestants and of the toy model; and that each row of
  * their choices is sound. */
 #include "mass_spring/spring_model.h"
+#include "models/pattern.h"
 #include "tests/contract.h"
 
 /* A row names a choice that models share, or describes one that is the model's alone. */
@@ -102,6 +103,19 @@ static void use_fabric(struct scene *scene)
     scene_use_fabric(scene);
 }
 
+/* Cuts a corner off the sheet. */
+static void cut_outline(struct scene *scene)
+{
+    const double L = scene->length, W = scene->width;
+    const double at[5][2] = {{0, 0}, {L, 0}, {L, W / 2}, {L / 2, W}, {0, W}};
+    double size[2];
+    struct pattern_blame blame;
+
+    scene->pattern = pattern_make();
+    REQUIRE(scene->pattern && !pattern_add_line(scene->pattern, 5, at));
+    REQUIRE(!pattern_finish(scene->pattern, size, &blame));
+}
+
 static double path[2][4] = {{0, 0, 0, 0}, {1, 0, 0, 0.1}}, turn[2][2] = {{0, 0}, {1, 9}};
 
 static void add_support(struct scene *scene, unsigned need, double w)
@@ -150,6 +164,9 @@ static void add_need(struct scene *scene, unsigned need, double w)
         __attribute__((fallthrough));
     case SCENE_NEED_SHEETS:
         scene->sheets = 2, scene->pose[1] = scene->pose[0];
+        return;
+    case SCENE_NEED_OUTLINE:
+        cut_outline(scene);
         return;
     case SCENE_NEED_DRAG:
         scene->drag = 1;

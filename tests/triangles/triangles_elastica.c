@@ -173,6 +173,13 @@ static void check_morley(const char *name, bool own)
         most = fmax(most, fabs(want));
     }
     CHECK_NEAR(worst / most, 0, DIGITS);
+    for (int n = 0; own && n < 3; n++) { /* in the hole, beside the sheet, at its rim */
+        static const double uvw[3][3] = {
+            {0.5, 0.5, 0.5}, {0.02, 0.9, 0.5}, {32. / 99, 0, 0.5}};
+        double xyz[3];
+        tri_model.probe(m, 1, uvw[n], xyz);
+        CHECK(n < 2 ? isnan(xyz[0]) && isnan(xyz[2]) : xyz[2] == 0);
+    }
     REQUIRE(reference_fault(table, &why) == STATUS_OK);
     reference_close(table);
     tri_model.clear(m);

@@ -14,6 +14,20 @@
 /* Two columns of eighty have a neighbour on the edge, with a one-sided difference. */
 #define TOL_EDGE 1e-2
 
+/* Points that neither field has are beside the sheet; one that only one has is a fault. */
+static void test_rmse_beside(void)
+{
+    double *a = new_field(), *b = new_field();
+
+    for (int n = 0; n < 3 * GRID_POINTS; n++)
+        a[n] = n < 3 * GRID_POINTS / 2 ? NAN : n, b[n] = a[n] + (n % 3 == 1 ? 0.13 : 0);
+    CHECK_NEAR(metric_rmse(a, b), 0.13, 1e-9); /* n + 0.13 has 12 digits */
+    a[3 * GRID_POINTS - 1] = NAN;
+    CHECK(isnan(metric_rmse(a, b)));
+    free(a);
+    free(b);
+}
+
 static void test_rmse(void)
 {
     static const double unit[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -362,6 +376,7 @@ static void test_angle(void)
 int main(void)
 {
     test_rmse();
+    test_rmse_beside();
     test_stretch();
     test_spread_and_turn();
     test_drop();

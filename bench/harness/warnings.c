@@ -185,10 +185,27 @@ static int fitting_points(const struct run *r, int along)
     return d->knots[along] ? points : degree > 1 && fit && fit < least ? least : fit;
 }
 
+/* Tells whether a support ends within the box of a sheet with an outline, whose mesh has no
+ * lines. */
+static bool ends_within(const struct scene *scene)
+{
+    bool within = false;
+
+    for (int n = 0; n < 4 * scene->support_count; n++) {
+        const struct scene_support *s = &scene->supports[n / 4];
+        const double end = n % 4 < 2 ? s->lo[n % 2] : s->hi[n % 2];
+        within |= end > 0 && end < 1;
+    }
+    return within;
+}
+
 static bool supports_end_between(const struct run *r, double number[])
 {
     const int *points = r->discretization.points;
 
+    number[0] = number[1] = 0;
+    if (r->scene.pattern)
+        return ends_within(&r->scene);
     number[0] = fitting_points(r, 0), number[1] = fitting_points(r, 1);
     return number[0] != points[0] || number[1] != points[1];
 }

@@ -38,7 +38,7 @@ enum status pattern_add_line(struct pattern *p, int count, const double (*at)[2]
  * STATUS_INPUT with *triangle where the pieces meet in a point only: one that has it. */
 enum status pattern_add_mesh(struct pattern *p, struct mesh_flat *mesh, int *triangle);
 
-/* What may be wrong with lines. */
+/* Names what is wrong with a pattern's lines. */
 enum pattern_fault {
     PATTERN_SOUND,
     PATTERN_FEW,    /* a line has less than three points                                 */

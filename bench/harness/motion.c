@@ -32,19 +32,35 @@ void motion_clear(struct motion *m)
     *m = (struct motion){0};
 }
 
+/* Places the points of the net; of a sheet with an outline those of the material grid next
+ * to them that are on it. Returns how many there are. */
+static int place_net(const struct scene *scene, double uvw[NET_POINTS][3])
+{
+    int count = 0;
+
+    for (int n = 0; n < NET_POINTS; n++) {
+        double *at = uvw[count];
+        at[0] = (double)(n % NET) / (NET - 1);
+        at[1] = (double)(n / NET) / (NET - 1);
+        at[2] = 0.5;
+        if (scene->pattern) {
+            const int i = (int)(at[0] * (GRID_U - 1)), j = (int)(at[1] * (GRID_V - 1));
+            at[0] = i / (GRID_U - 1.0), at[1] = j / (GRID_V - 1.0);
+            count -= scene_void(scene, i, j);
+        }
+        count++;
+    }
+    return count;
+}
+
 static bool looks_well(const struct motion *m)
 {
     double uvw[NET_POINTS][3], xyz[NET_POINTS][3], carried[3];
+    const int count = place_net(m->scene, uvw);
 
-    for (int n = 0; n < NET_POINTS; n++) {
-        uvw[n][0] = (double)(n % NET) / (NET - 1);
-        uvw[n][1] = (double)(n / NET) / (NET - 1);
-        uvw[n][2] = 0.5;
-    }
-    m->model->probe(m->state, NET_POINTS, uvw[0], xyz[0]);
-    metric_carried(m->scene, m->steps * m->scene->step, NET_POINTS, uvw[0], xyz[0],
-                   carried);
-    for (int n = 0; n < NET_POINTS; n++) {
+    m->model->probe(m->state, count, uvw[0], xyz[0]);
+    metric_carried(m->scene, m->steps * m->scene->step, count, uvw[0], xyz[0], carried);
+    for (int n = 0; n < count; n++) {
         double rest[3], far = 0;
         scene_rest_point(m->scene, uvw[n], rest);
         for (int i = 0; i < 3; i++)
@@ -52,7 +68,7 @@ static bool looks_well(const struct motion *m)
         if (!(sqrt(far) < suspicious * m->scene->length)) /* NaN too */
             return false;
     }
-    return true;
+    return count > 0;
 }
 
 /* Examines the state: STATUS_OK, STATUS_NAN, STATUS_ESCAPED or STATUS_MEMORY. */

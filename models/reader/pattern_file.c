@@ -65,12 +65,13 @@ static enum status add_corner(struct reading *r, struct mesh_flat *flat, int *no
             "`v` %d is not where its `vt` is: a start that is not the flat pattern is not "
             "there yet; x and y as vt, and z = 0, would be right",
             corner->v + 1);
-    if (!place_of(r, corner, at) && !r->side)
+    const bool inside = place_of(r, corner, at);
+    if (!inside && !r->side)
         return yaml_tree_refuse(&r->line, why,
                                 "the point at %g, %g m is farther than %g m from 0; nearer "
                                 "would be right",
                                 at[0], at[1], FARTHEST);
-    if (!place_of(r, corner, at))
+    if (!inside)
         return yaml_tree_refuse(
             &r->line, why,
             "the point at %g, %g m is not on the sheet of %g by %g m; vt from 0 to 1, or x "

@@ -9,6 +9,8 @@ void mesh_flat_clear(struct mesh_flat *flat)
 {
     free(flat->at);
     free(flat->triangle);
+    free(flat->corner);
+    free(flat->start);
     memset(flat, 0, sizeof *flat);
 }
 
@@ -21,6 +23,13 @@ enum status mesh_flat_make(struct mesh_flat *flat, int nodes, int triangles)
         return STATUS_OK;
     mesh_flat_clear(flat);
     return STATUS_MEMORY;
+}
+
+enum status mesh_flat_raise(struct mesh_flat *flat)
+{
+    flat->corner = calloc((size_t)flat->triangles, sizeof *flat->corner);
+    flat->start = calloc((size_t)flat->nodes, sizeof *flat->start);
+    return flat->corner && flat->start ? STATUS_OK : STATUS_MEMORY;
 }
 
 /* --- edges ------------------------------------------------------------------------------
@@ -91,6 +100,24 @@ out:
         *edge = NULL, *side = NULL;
     }
     return st;
+}
+
+void mesh_flat_pieces(const struct mesh_flat *flat, int *piece)
+{
+    bool changed = true;
+
+    for (int a = 0; a < flat->nodes; a++)
+        piece[a] = a;
+    while (changed) {
+        changed = false;
+        for (int n = 0; n < 3 * flat->triangles; n++) {
+            const int *v = flat->triangle[n / 3];
+            int *own = &piece[v[n % 3]], other = piece[v[(n + 1) % 3]];
+            changed |= *own != other;
+            *own = other < *own ? other : *own;
+            piece[v[(n + 1) % 3]] = *own;
+        }
+    }
 }
 
 /* --- grids ------------------------------------------------------------------------------
@@ -236,6 +263,33 @@ bool mesh_flat_good(const struct mesh_flat *flat, double least)
 /* --- refinement -------------------------------------------------------------------------
  */
 
+static void halve(const double *a, const double *b, int count, double *middle)
+{
+    for (int i = 0; i < count; i++)
+        middle[i] = (a[i] + b[i]) / 2;
+}
+
+/* Places the corners of a triangle's four parts, in the order of mesh_flat_refine, and the
+ * new nodes where they begin. */
+static void raise_fine(const struct mesh_flat *flat, const int (*side)[3], int t,
+                       struct mesh_flat *fine)
+{
+    /* A part's corners: the triangle's own, or 3 and the number of a side's middle. */
+    static const int part[4][3] = {{0, 5, 4}, {5, 1, 3}, {4, 3, 2}, {3, 4, 5}};
+    double place[6][2];
+
+    memcpy(place, flat->corner[t], sizeof flat->corner[t]);
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3, *v = flat->triangle[t];
+        halve(place[j], place[k], 2, place[3 + i]);
+        halve(flat->start[v[j]], flat->start[v[k]], 3,
+              fine->start[flat->nodes + side[t][i]]);
+    }
+    for (int n = 0; n < 12; n++)
+        memcpy(fine->corner[4 * t + n / 3][n % 3], place[part[n / 3][n % 3]],
+               sizeof *place);
+}
+
 enum status mesh_flat_refine(struct mesh_flat *flat)
 {
     struct mesh_flat fine = {0};
@@ -247,15 +301,21 @@ enum status mesh_flat_refine(struct mesh_flat *flat)
     TRY(mesh_flat_make(&fine, flat->nodes + edges, 4 * flat->triangles));
     fine.nodes = flat->nodes + edges, fine.triangles = 4 * flat->triangles;
     memcpy(fine.at, flat->at, (size_t)flat->nodes * sizeof *fine.at);
-    for (int e = 0; e < edges; e++)
-        for (int i = 0; i < 2; i++)
-            fine.at[flat->nodes + e][i] =
-                (flat->at[edge[e].node[0]][i] + flat->at[edge[e].node[1]][i]) / 2;
+    if (flat->start) {
+        TRY(mesh_flat_raise(&fine));
+        memcpy(fine.start, flat->start, (size_t)flat->nodes * sizeof *fine.start);
+    }
     for (int t = 0; t < flat->triangles; t++) {
         const int *v = flat->triangle[t], n = flat->nodes;
         const int p = n + side[t][0], q = n + side[t][1], r = n + side[t][2];
         const int four[4][3] = {{v[0], r, q}, {r, v[1], p}, {q, p, v[2]}, {p, q, r}};
         memcpy(fine.triangle[4 * t], four, sizeof four);
+        for (int i = 0; i < 3; i++) /* of a seam its first triangle's */
+            if (edge[side[t][i]].triangle[0] == t)
+                halve(mesh_flat_place(flat, t, (i + 1) % 3),
+                      mesh_flat_place(flat, t, (i + 2) % 3), 2, fine.at[n + side[t][i]]);
+        if (flat->start)
+            raise_fine(flat, (const int(*)[3])side, t, &fine);
     }
     mesh_flat_clear(flat);
     HAND_OVER(flat, fine);

@@ -1,5 +1,8 @@
-/* mesh_flat.h - triangles in the plane of a rectangular sheet, before they are a mesh: made
- * from a grid, turned, refined.
+/* mesh_flat.h - triangles in the plane of a sheet, before they are a mesh: made from a
+ * grid, turned, refined.
+ *
+ * Of a sheet that is sewn together a node on a seam has a place in each panel: triangles
+ * have their corners' places then, and a node that of its first triangle.
  */
 #ifndef MESH_FLAT_H
 #define MESH_FLAT_H
@@ -11,8 +14,11 @@
 
 struct mesh_flat {
     int nodes, triangles;
-    double (*at)[2];    /* [nodes] along u and v                              [m]   */
-    int (*triangle)[3]; /* [triangles] counter-clockwise; both owned                */
+    double (*at)[2];        /* [nodes] along u and v                              [m]   */
+    int (*triangle)[3];     /* [triangles] counter-clockwise; both owned                */
+    double (*corner)[3][2]; /* [triangles] places of corners; NULL: those of nodes  owned */
+    double (*start)[3]; /* [nodes] where they begin: along u, v, and the normal; NULL: in
+                           the plane                                        [m]   owned */
 };
 
 /* An edge: its ends, and the points across from it in its first triangle, which has the
@@ -20,6 +26,17 @@ struct mesh_flat {
 struct mesh_edge {
     int node[4], triangle[2];
 };
+
+/* Returns where a triangle's corner is in the plane [m]. */
+static inline const double *mesh_flat_place(const struct mesh_flat *flat, int triangle,
+                                            int corner)
+{
+    return flat->corner ? flat->corner[triangle][corner]
+                        : flat->at[flat->triangle[triangle][corner]];
+}
+
+/* Adds a start in space, and corners' places, to those of the plane. */
+enum status mesh_flat_raise(struct mesh_flat *flat);
 
 /* Makes room for so many nodes and triangles, of which there are none yet. */
 enum status mesh_flat_make(struct mesh_flat *flat, int nodes, int triangles);
@@ -30,6 +47,9 @@ void mesh_flat_clear(struct mesh_flat *flat);
  * an edge: *count is then its first triangle. */
 enum status mesh_flat_edges(const struct mesh_flat *flat, struct mesh_edge **edge,
                             int *count, int (**side)[3]);
+
+/* Fills piece[nodes] with the least node of the piece that each is in. */
+void mesh_flat_pieces(const struct mesh_flat *flat, int *piece);
 
 /* Returns twice the area of three nodes, positive if counter-clockwise. */
 double mesh_flat_area2(const struct mesh_flat *flat, int a, int b, int c);

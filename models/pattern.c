@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/vector.h"
+
 /* So near a side, in shares of the box's diagonal, a place is on it. */
 static const double NEAR = 1e-12;
 
@@ -19,6 +21,14 @@ void pattern_free(struct pattern *p)
     free(p->at);
     free(p->line);
     free(p->next);
+    free(p->node);
+    free(p->start);
+    free(p->nearest);
+    free(p->vertex);
+    free(p->in);
+    for (int n = 0; n < p->groups; n++)
+        free(p->group[n]);
+    free(p->group);
     mesh_flat_clear(&p->mesh);
     free(p);
 }
@@ -210,18 +220,18 @@ static enum pattern_fault fault_of(const struct pattern *p, int *line, int *poin
     }
     if (any_cross(p, line, point))
         return PATTERN_CROSSING;
-    for (int k = 0; k < p->lines; k++)
-        if (area_of(p, k) > 0 && k != outline) {
-            *line = k, *point = 0;
+    for (int k = 0; k < p->lines; k++) {
+        const bool hole = !(area_of(p, k) > 0);
+        int outlines = 0, holes = 0; /* that it is in */
+        *line = k, *point = 0;
+        if (!hole && k != outline && !p->node)
             return PATTERN_PIECES;
-        }
-    for (int k = 0; k < p->lines; k++)
         for (int l = 0; l < p->lines; l++)
-            if (l != k && k != outline &&
-                inside(p, l, p->at[p->line[k]]) != (l == outline)) {
-                *line = k, *point = 0;
-                return PATTERN_OUTSIDE;
-            }
+            if (l != k && inside(p, l, p->at[p->line[k]]))
+                *(area_of(p, l) > 0 ? &outlines : &holes) += 1;
+        if (outlines != hole || holes)
+            return PATTERN_OUTSIDE;
+    }
     return PATTERN_SOUND;
 }
 
@@ -243,6 +253,8 @@ static void move_to_zero(struct pattern *p, double size[2])
             p->at[n][i] -= low[i];
         for (int n = 0; n < p->mesh.nodes; n++)
             p->mesh.at[n][i] -= low[i];
+        for (int n = 0; p->start && n < p->nodes; n++)
+            p->start[n][i] -= low[i];
     }
 }
 
@@ -293,6 +305,144 @@ static enum status mark(struct pattern *p, const double size[2])
     return STATUS_OK;
 }
 
+/* --- panels in space --------------------------------------------------------------------
+ */
+
+/* Computes the weights of a triangle's points at x, y; returns the least. */
+static double weigh(const struct pattern *p, int triangle, double x, double y,
+                    double weight[3])
+{
+    const int *v = p->mesh.triangle[triangle];
+    const double(*at)[2] = (const double(*)[2])p->mesh.at, here[2] = {x, y};
+    const double whole = left(at[v[0]], at[v[1]], at[v[2]]);
+
+    weight[0] = left(here, at[v[1]], at[v[2]]) / whole;
+    weight[1] = left(at[v[0]], here, at[v[2]]) / whole;
+    weight[2] = 1 - weight[0] - weight[1];
+    return fmin(weight[0], fmin(weight[1], weight[2]));
+}
+
+/* Returns the triangle that a place is in, or most nearly. */
+static int find(const struct pattern *p, double x, double y)
+{
+    double best = -INFINITY, weight[3];
+    int found = 0;
+
+    for (int t = 0; t < p->mesh.triangles; t++) {
+        const double least = weigh(p, t, x, y, weight);
+        if (least > best)
+            best = least, found = t;
+    }
+    return found;
+}
+
+/* Takes the points off the material grid that lie in a cell with one of another panel. */
+static enum status part_panels(struct pattern *p)
+{
+    int *panel = malloc((size_t)p->mesh.nodes * sizeof *panel);
+
+    if (!panel)
+        return STATUS_MEMORY;
+    mesh_flat_pieces(&p->mesh, panel);
+    for (int n = 0; n < 4 * GRID_U * GRID_V; n++) {
+        const int i = n / 4 % GRID_U, j = n / 4 / GRID_U,
+                  k = n % 4; /* (1,0) (0,1) (1,1) (-1,1) */
+        const int to_i = i + (k == 3 ? -1 : k != 1), to_j = j + (k > 0);
+        if (to_i < 0 || to_i >= GRID_U || to_j >= GRID_V || !p->on[j][i] ||
+            !p->on[to_j][to_i])
+            continue;
+        const int s = p->nearest[j * GRID_U + i], t = p->nearest[to_j * GRID_U + to_i];
+        if (s < 0 || t < 0 ||
+            panel[p->mesh.triangle[s][0]] == panel[p->mesh.triangle[t][0]])
+            continue;
+        p->on[to_j][to_i] = false;
+    }
+    free(panel);
+    return STATUS_OK;
+}
+
+/* Finds the triangles at the points of the material grid that are on the sheet. */
+static enum status find_nearest(struct pattern *p, const double size[2])
+{
+    double weight[3];
+
+    p->nearest = malloc((size_t)GRID_U * GRID_V * sizeof *p->nearest);
+    if (!p->nearest)
+        return STATUS_MEMORY;
+    for (int n = 0; n < GRID_U * GRID_V; n++)
+        p->nearest[n] = -1;
+    for (int t = 0; t < p->mesh.triangles; t++) {
+        int low[2], high[2];
+        for (int i = 0; i < 2; i++) {
+            const double scale = ((i ? GRID_V : GRID_U) - 1) / size[i];
+            const int *v = p->mesh.triangle[t];
+            const double a = p->mesh.at[v[0]][i] * scale, b = p->mesh.at[v[1]][i] * scale,
+                         c = p->mesh.at[v[2]][i] * scale;
+            low[i] = (int)ceil(fmin(a, fmin(b, c)) - 1e-9);
+            high[i] = (int)floor(fmax(a, fmax(b, c)) + 1e-9);
+        }
+        for (int j = low[1]; j <= high[1]; j++)
+            for (int i = low[0]; i <= high[0]; i++)
+                if (weigh(p, t, i / (GRID_U - 1.) * size[0], j / (GRID_V - 1.) * size[1],
+                          weight) > -1e-9)
+                    p->nearest[j * GRID_U + i] = t;
+    }
+    return part_panels(p);
+}
+
+void pattern_begin(const struct pattern *p, double x, double y, double begin[3],
+                   double normal[3])
+{
+    const int i = (int)fmin(fmax(round(x / p->size[0] * (GRID_U - 1)), 0), GRID_U - 1),
+              j = (int)fmin(fmax(round(y / p->size[1] * (GRID_V - 1)), 0), GRID_V - 1);
+    double weight[3], sum = 0, e[2][3];
+    int t = p->nearest[j * GRID_U + i];
+
+    if (t < 0 || weigh(p, t, x, y, weight) < -1e-9) {
+        t = find(p, x, y);
+        weigh(p, t, x, y, weight);
+    }
+    for (int k = 0; k < 3; k++)
+        sum += weight[k] = fmax(weight[k], 0);
+    const int *v = p->mesh.triangle[t];
+    const double *q = p->start[p->node[v[0]]];
+    for (int c = 0; c < 3; c++) {
+        begin[c] = 0;
+        for (int k = 0; k < 3; k++)
+            begin[c] += weight[k] / sum * p->start[p->node[v[k]]][c];
+        for (int k = 0; k < 2; k++)
+            e[k][c] = p->start[p->node[v[1 + k]]][c] - q[c];
+    }
+    vector_cross(e[0], e[1], normal);
+    const double length = vector_length(normal);
+    for (int c = 0; c < 3 && length > 0; c++)
+        normal[c] /= length;
+}
+
+enum status pattern_sewn(const struct pattern *p, struct mesh_flat *flat)
+{
+    const struct mesh_flat *own = &p->mesh;
+    const int nodes = p->node ? p->nodes : own->nodes;
+    enum status st;
+
+    TRY(mesh_flat_make(flat, nodes, own->triangles));
+    flat->nodes = nodes, flat->triangles = own->triangles;
+    if (p->node) {
+        TRY(mesh_flat_raise(flat));
+        memcpy(flat->start, p->start, (size_t)nodes * sizeof *flat->start);
+    }
+    for (int a = own->nodes - 1; a >= 0; a--) /* of several places the first */
+        memcpy(flat->at[p->node ? p->node[a] : a], own->at[a], sizeof *own->at);
+    for (int n = 0; n < 3 * own->triangles; n++) {
+        const int a = own->triangle[n / 3][n % 3];
+        flat->triangle[n / 3][n % 3] = p->node ? p->node[a] : a;
+        if (p->node)
+            memcpy(flat->corner[n / 3][n % 3], own->at[a], sizeof *own->at);
+    }
+out:
+    return st;
+}
+
 enum status pattern_finish(struct pattern *p, double size[2], struct pattern_blame *blame)
 {
     const bool drawn = !p->mesh.nodes;
@@ -310,10 +460,12 @@ enum status pattern_finish(struct pattern *p, double size[2], struct pattern_bla
         for (int n = p->line[k]; n < p->line[k + 1]; n++)
             p->next[n] = after(p, k, n);
     move_to_zero(p, size);
+    memcpy(p->size, size, sizeof p->size);
     p->near = NEAR * hypot(size[0], size[1]);
     for (int k = 0; k < p->lines; k++)
         p->area += area_of(p, k);
-    return mark(p, size);
+    const enum status st = mark(p, size);
+    return st == STATUS_OK && p->start ? find_nearest(p, size) : st;
 }
 
 /* FNV-1a, 64 bits. */
@@ -327,8 +479,12 @@ static unsigned long long add_bytes(unsigned long long sum, const void *bytes, s
 unsigned long long pattern_sum(const struct pattern *p)
 {
     const struct mesh_flat *m = &p->mesh;
-    const unsigned long long sum =
+    unsigned long long sum =
         add_bytes(14695981039346656037u, m->at, (size_t)m->nodes * sizeof *m->at);
 
+    if (p->node) {
+        sum = add_bytes(sum, p->node, (size_t)m->nodes * sizeof *p->node);
+        sum = add_bytes(sum, p->start, (size_t)p->nodes * sizeof *p->start);
+    }
     return add_bytes(sum, m->triangle, (size_t)m->triangles * sizeof *m->triangle);
 }

@@ -2,6 +2,9 @@
  * the triangles of a mesh, in a box of the sheet's length and width whose corner is 0.
  *
  * Lines go round with the sheet to their left: outlines counter-clockwise, holes clockwise.
+ *
+ * A garment has several panels, which lie beside each other in the plane, and starts in
+ * space: points of triangles that are sewn together are one node there.
  */
 #ifndef PATTERN_H
 #define PATTERN_H
@@ -18,18 +21,34 @@ enum {
 
 struct pattern {
     int points, lines;
-    double (*at)[2];         /* [points]                                       [m]  owned */
-    int *line;               /* [lines + 1] first points of lines                   owned */
-    int *next;               /* [points] the other ends of their sides              owned */
-    double corner[2];        /* of the box, where the scene has it              [m]       */
-    double area;             /*                                                [m^2]      */
-    double near;             /* so far from the border a place is still on it   [m]       */
-    struct mesh_flat mesh;   /* the scene's own; none: of an outline                owned */
+    double (*at)[2];       /* [points]                                       [m]  owned */
+    int *line;             /* [lines + 1] first points of lines                   owned */
+    int *next;             /* [points] the other ends of their sides              owned */
+    double corner[2];      /* of the box, where the scene has it              [m]       */
+    double size[2];        /* of the box                                      [m]       */
+    double area;           /*                                                [m^2]      */
+    double near;           /* so far from the border a place is still on it   [m]       */
+    struct mesh_flat mesh; /* the scene's own; none: of an outline                owned */
+    int nodes, *node;      /* [mesh.nodes] of what is sewn; NULL: points are nodes owned */
+    double (*start)[3];    /* [nodes] where they begin, from the box's corner along u and
+                              v, along the normal; NULL: in the plane         [m]  owned */
+    int *vertex;           /* [mesh.nodes] numbers of points in the scene's file, from 0;
+                              several may have one                                owned */
+    int groups, *in;       /* [mesh.triangles] groups of triangles, -1: none      owned */
+    char **group;          /* [groups] their names                                owned */
+    int *nearest; /* [GRID_V][GRID_U] triangles nearest to the material grid's points where
+                     it starts in space; -1: not known                              owned */
     bool on[GRID_V][GRID_U]; /* points of the material grid that are on the sheet         */
 };
 
 struct pattern *pattern_make(void);   /* empty; NULL: no memory */
 void pattern_free(struct pattern *p); /* NULL is allowed */
+
+/* Tells whether it starts elsewhere than in its plane. */
+static inline bool pattern_starts_in_space(const struct pattern *p)
+{
+    return p && p->start;
+}
 
 /* Adds a closed line through at[count]; its last point is not the first again. */
 enum status pattern_add_line(struct pattern *p, int count, const double (*at)[2]);
@@ -44,7 +63,7 @@ enum pattern_fault {
     PATTERN_FEW,    /* a line has less than three points                                 */
     PATTERN_DOUBLE, /* two points are one                                                */
     PATTERN_CROSSING, /* two sides cross or touch */
-    PATTERN_PIECES,  /* there are two outlines                                            */
+    PATTERN_PIECES,  /* there are two outlines, and no panels                             */
     PATTERN_OUTSIDE, /* a hole is not in the outline, or lies in another                  */
 };
 
@@ -60,6 +79,14 @@ enum status pattern_finish(struct pattern *p, double size[2], struct pattern_bla
 
 /* Tells whether a place [m] is on the sheet or on its border. */
 bool pattern_has(const struct pattern *p, double x, double y);
+
+/* Computes where the place x, y, or the nearest of the sheet, begins in space, and its
+ * normal there: along u, v and the plane's normal. */
+void pattern_begin(const struct pattern *p, double x, double y, double begin[3],
+                   double normal[3]);
+
+/* Makes the triangles of the sheet as it is sewn together, of a pattern that has some. */
+enum status pattern_sewn(const struct pattern *p, struct mesh_flat *flat);
 
 /* Returns a number made from the pattern's triangles: of two meshes they differ. */
 unsigned long long pattern_sum(const struct pattern *p);

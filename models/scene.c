@@ -10,13 +10,16 @@
 #include "models/pattern.h"
 #include "models/vector.h"
 
+/* So near, in shares of the box, a place is at a part of a support. */
+static const double ON_PART = 1e-9;
+
 /* The round-off of u, in columns of the grid. */
 #define ROUND_OFF 1e-12
 
 void scene_clear(struct scene *scene)
 {
     for (int i = 0; i < scene->support_count; i++)
-        scene_motion_clear(&scene->supports[i].motion);
+        scene_support_clear(&scene->supports[i]);
     free(scene->supports);
     free(scene->loads);
     for (int i = 0; i < scene->obstacle_count; i++)
@@ -62,6 +65,41 @@ static void *grow(void *array, int count, size_t size)
     return realloc(array, ((size_t)count + 1) * size);
 }
 
+/* Tells whether p is on the segment from a to b. */
+static bool on_segment(const double a[2], const double b[2], const double p[2])
+{
+    const double d[2] = {b[0] - a[0], b[1] - a[1]}, e[2] = {p[0] - a[0], p[1] - a[1]};
+    const double square = d[0] * d[0] + d[1] * d[1];
+    const double s =
+        square > 0 ? fmin(fmax((e[0] * d[0] + e[1] * d[1]) / square, 0), 1) : 0;
+
+    return hypot(e[0] - s * d[0], e[1] - s * d[1]) <= ON_PART;
+}
+
+bool scene_support_has(const struct scene_support *s, double u, double v)
+{
+    const double p[2] = {u, v};
+    bool has = !s->part_count;
+
+    for (int n = 0; !has && n < s->part_count; n++) {
+        int left = 0;
+        for (int k = 0; k < 3; k++) {
+            const double *a = s->part[n][k], *b = s->part[n][(k + 1) % 3];
+            has |= on_segment(a, b, p);
+            left += (b[0] - a[0]) * (v - a[1]) > (b[1] - a[1]) * (u - a[0]);
+        }
+        has |= left == 3;
+    }
+    return has;
+}
+
+void scene_support_clear(struct scene_support *s)
+{
+    scene_motion_clear(&s->motion);
+    free(s->part);
+    s->part = NULL, s->part_count = 0;
+}
+
 enum status scene_add_support(struct scene *scene, const struct scene_support *support)
 {
     enum status st;
@@ -71,9 +109,19 @@ enum status scene_add_support(struct scene *scene, const struct scene_support *s
     if (!s)
         return STATUS_MEMORY;
     scene->supports = s;
+    copy.part = NULL, copy.motion = (struct scene_motion){0};
+    if (copy.part_count) {
+        const size_t size = (size_t)copy.part_count * sizeof *copy.part;
+        copy.part = malloc(size);
+        if (!copy.part)
+            return STATUS_MEMORY;
+        memcpy(copy.part, support->part, size);
+    }
     st = scene_motion_copy(&copy.motion, &support->motion);
     if (st == STATUS_OK)
         s[scene->support_count++] = copy;
+    else
+        scene_support_clear(&copy);
     return st;
 }
 
@@ -290,12 +338,43 @@ void scene_normal(const struct scene *scene, double e_w[3])
     vector_cross(scene->axis_u, scene->axis_v, e_w);
 }
 
+void scene_pose_point(const struct scene *scene, const double place[3], double xyz[3])
+{
+    const struct scene_pose *pose = &scene->pose[0];
+    double e_w[3];
+
+    vector_cross(pose->axis_u, pose->axis_v, e_w);
+    for (int i = 0; i < 3; i++)
+        xyz[i] = pose->origin[i] + place[0] * pose->axis_u[i] + place[1] * pose->axis_v[i] +
+                 place[2] * e_w[i];
+}
+
+bool scene_starts_flat(const struct scene *scene)
+{
+    return scene->shape == SCENE_FLAT && !pattern_starts_in_space(scene->pattern);
+}
+
+static void begin_in_space(const struct scene *scene, const double uvw[3], double xyz[3])
+{
+    double place[3], normal[3];
+
+    pattern_begin(scene->pattern, uvw[0] * scene->length, uvw[1] * scene->width, place,
+                  normal);
+    for (int i = 0; i < 3; i++)
+        place[i] += (uvw[2] - 0.5) * scene->thickness * normal[i];
+    scene_pose_point(scene, place, xyz);
+}
+
 void scene_rest_point(const struct scene *scene, const double uvw[3], double xyz[3])
 {
     double e_w[3], s;
 
     if (scene->shape == SCENE_CLOAK) {
         scene_cloak_point(scene, uvw, xyz);
+        return;
+    }
+    if (pattern_starts_in_space(scene->pattern)) {
+        begin_in_space(scene, uvw, xyz);
         return;
     }
     const struct scene_pose *pose = &scene->pose[scene_sheet_at(scene, uvw[0], &s)];

@@ -62,6 +62,9 @@ struct scene_support {
     struct scene_motion motion; /*                                         owned   */
     int line;                   /* in the scene file; 0 if made in memory          */
     int sheet;                  /* named by the scene file, from 1; 0: none        */
+    int part_count;       /* of the region, where it is no box, but in this one       */
+    double (*part)[3][2]; /* [part_count] corners (u,v) of triangles, or of segments or
+                             points where corners coincide                    owned   */
 };
 
 /* A dead force, spread evenly over the material points lo <= (u,v,w) <= hi: an edge, a
@@ -223,7 +226,13 @@ void scene_needs_text(unsigned needs, char *text, int size);
 enum status scene_init(struct scene *scene);
 void scene_clear(struct scene *scene);
 
-/* Adds a copy of *support (its path is copied too). */
+/* Tells whether (u,v) is in the parts of a support's region, or at them, if it has any. */
+bool scene_support_has(const struct scene_support *s, double u, double v);
+
+/* Frees what a support that is in no scene owns. */
+void scene_support_clear(struct scene_support *s);
+
+/* Adds a copy of *support (its path and parts are copied too). */
 enum status scene_add_support(struct scene *scene, const struct scene_support *support);
 
 /* Adds a copy of *load. */
@@ -270,7 +279,14 @@ struct scene scene_sheet(const struct scene *scene, int sheet);
 /* Computes e_w = e_u x e_v of the first sheet. */
 void scene_normal(const struct scene *scene, double e_w[3]);
 
-/* Returns the rest position of a material point [m]. */
+/* Returns the point at a place along u, v and the normal of the first sheet's pose [m]. */
+void scene_pose_point(const struct scene *scene, const double place[3], double xyz[3]);
+
+/* Tells whether all sheets start in their planes. */
+bool scene_starts_flat(const struct scene *scene);
+
+/* Returns where a material point is at the start, without strain unless the sheet is sewn
+ * together or put into space [m]. */
 void scene_rest_point(const struct scene *scene, const double uvw[3], double xyz[3]);
 
 /* The curved rest shape `cloak`: part of a cone (of a cylinder without flare) as wide as an

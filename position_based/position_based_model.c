@@ -307,7 +307,7 @@ enum status pb_motion_init(struct pb_motion *m, const struct scene *scene,
     TRY(spring_net_init(&m->springs, scene, &m->net.mesh, d->parameters, false));
     TRY(spring_plate_make(scene, &m->net.mesh, d->parameters, &m->forms));
     TRY(allocate(m));
-    m->rest_energy = elastic(m);
+    m->rest_energy = m->net.mesh.flat.start ? 0 : elastic(m);
     TRY(set_steps(m, d, why));
     net_arrive(&m->net, one ? 1 : d->iterations, MOST_ITERATIONS, m->dt, &m->arrival);
     TRY(make_contact(m));

@@ -389,7 +389,7 @@ enum status pd_energy_init(struct pd_energy *e, const struct scene *scene,
     else
         add_plate(&bending, scene);
     new.row_count += bending.count;
-    new.rest_value = pd_energy_value(&new, new.rest);
+    new.rest_value = mesh->flat.start ? 0 : pd_energy_value(&new, new.rest);
     HAND_OVER(e, new);
 out:
     pd_energy_clear(&new);

@@ -80,8 +80,9 @@ static void list_corners(struct vb_body *b, const struct vb_parts *parts, int *n
     }
     for (int t = 0; !parts->net && t < mesh->flat.triangles; t++) {
         const int *v = mesh->flat.triangle[t];
-        const double *x = mesh->flat.at[v[0]], *y = mesh->flat.at[v[1]],
-                     *z = mesh->flat.at[v[2]];
+        const double *x = mesh_flat_place(&mesh->flat, t, 0),
+                     *y = mesh_flat_place(&mesh->flat, t, 1),
+                     *z = mesh_flat_place(&mesh->flat, t, 2);
         const double e[2] = {y[0] - x[0], y[1] - x[1]}, f[2] = {z[0] - x[0], z[1] - x[1]};
         const double twice = e[0] * f[1] - e[1] * f[0];
         struct vb_corner corner = {.area = twice / 2,

@@ -305,7 +305,7 @@ static enum status init(void *state, const struct scene *scene,
     TRY(net_init(&m->net, scene, d, why));
     TRY(make_body(m, d->bending));
     TRY(allocate(m));
-    m->rest_energy = elastic(m);
+    m->rest_energy = m->net.mesh.flat.start ? 0 : elastic(m);
     TRY(make_contact(m));
     net_arrive(&m->net, d->iterations, MOST_SWEEPS, m->dt, &m->arrival);
     m->arrival.descends = !(m->own.chebyshev > 0);

@@ -194,7 +194,7 @@ static bool ends_within(const struct scene *scene)
     for (int n = 0; n < 4 * scene->support_count; n++) {
         const struct scene_support *s = &scene->supports[n / 4];
         const double end = n % 4 < 2 ? s->lo[n % 2] : s->hi[n % 2];
-        within |= end > 0 && end < 1;
+        within |= !s->part_count && end > 0 && end < 1;
     }
     return within;
 }

@@ -107,15 +107,20 @@ static void search_part(struct least *l, int level, const double from[2])
                         (double[2]){from[0] + half * (k & 1), from[1] + half * (k >> 1)});
 }
 
-/* Searches the corners of an outline. */
+/* Searches the corners of an outline, or of all triangles that start in space. */
 static void search_corners(struct least *l)
 {
     const struct pattern *p = l->scene->pattern;
+    const bool raised = pattern_starts_in_space(p);
+    const double(*at)[2] = (const double(*)[2])(!p ? NULL : raised ? p->mesh.at : p->at);
 
-    for (int n = 0; p && n < p->points; n++) {
-        const double u = p->at[n][0] / l->scene->length, v = p->at[n][1] / l->scene->width;
+    for (int n = 0; p && n < (raised ? p->mesh.nodes : p->points); n++) {
+        const double u = at[n][0] / l->scene->length, v = at[n][1] / l->scene->width;
         double x[3];
-        scene_rest_point(l->scene, (double[3]){u, v, .5}, x);
+        if (raised)
+            scene_pose_point(l->scene, p->start[p->node[n]], x);
+        else
+            scene_rest_point(l->scene, (double[3]){u, v, .5}, x);
         try_point(l, u, v, x, l->distance);
     }
 }
@@ -133,7 +138,8 @@ static double depth_of_sheet(const struct scene *scene, const struct scene_obsta
         l.distance = contact_shape_distance(o, &l.pose, l.place, NULL);
     } else {
         search_corners(&l);
-        search_part(&l, 0, (double[2]){0, 0});
+        if (scene_starts_flat(scene) || !scene->pattern)
+            search_part(&l, 0, (double[2]){0, 0});
     }
     const double depth = start - l.distance;
     const double far = vector_length(l.place) + vector_length(o->point);

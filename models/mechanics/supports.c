@@ -40,6 +40,7 @@ enum supports_columns supports_columns(const struct scene *scene)
 bool supports_covers(const struct scene_support *s, const double uvw[3])
 {
     return inside(uvw[0], s->lo[0], s->hi[0]) && inside(uvw[1], s->lo[1], s->hi[1]) &&
+           scene_support_has(s, uvw[0], uvw[1]) &&
            (uvw[2] == SUPPORTS_DIFFERENCE ? !middle_only(s)
             : uvw[2] < 0                  ? true
                                           : inside(uvw[2], s->lo[2], s->hi[2]));

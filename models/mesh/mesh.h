@@ -71,6 +71,12 @@ struct mesh_plane {
 
 struct mesh_plane mesh_plane_of(const struct mesh *mesh, int triangle);
 
+/* Tells whether the plane ends at an edge: at the rim, and at a seam. */
+bool mesh_edge_ends(const struct mesh *mesh, int edge);
+
+/* Returns an edge's length at rest, of a seam the mean of both sides' [m]. */
+double mesh_edge_length(const struct mesh *mesh, int edge);
+
 /* Returns how the hat function of point j rises along the normal out of side i [1/m]. */
 double mesh_plane_rise(const struct mesh_plane *p, int i, int j);
 

@@ -20,7 +20,7 @@ bool mesh_is_grid(const struct scene *scene, const struct discretization *d)
 
 static const double *at(const struct mesh *mesh, int triangle, int corner)
 {
-    return mesh->flat.at[mesh->flat.triangle[triangle][corner]];
+    return mesh_flat_place(&mesh->flat, triangle, corner);
 }
 
 /* Returns twice the area between two points and a third. */
@@ -55,6 +55,39 @@ struct mesh_plane mesh_plane_of(const struct mesh *mesh, int triangle)
     p.area = p.length[0] * p.length[1] / 2 *
              (p.along[0][0] * p.along[1][1] - p.along[0][1] * p.along[1][0]);
     return p;
+}
+
+/* Returns the place of an edge's end in one of its triangles. */
+static const double *end_in(const struct mesh *mesh, int edge, int beside, int end)
+{
+    const int t = mesh->edge[edge].triangle[beside], *v = mesh->flat.triangle[t];
+    int c = 0;
+
+    while (v[c] != mesh->edge[edge].node[end])
+        c++;
+    return at(mesh, t, c);
+}
+
+bool mesh_edge_ends(const struct mesh *mesh, int edge)
+{
+    bool ends = mesh->edge[edge].triangle[1] < 0;
+
+    for (int end = 0; !ends && mesh->flat.corner && end < 2; end++)
+        ends |= memcmp(end_in(mesh, edge, 0, end), end_in(mesh, edge, 1, end),
+                       2 * sizeof(double)) != 0;
+    return ends;
+}
+
+double mesh_edge_length(const struct mesh *mesh, int edge)
+{
+    const int sides = mesh->edge[edge].triangle[1] < 0 ? 1 : 2;
+    double sum = 0;
+
+    for (int s = 0; s < sides; s++) {
+        const double *a = end_in(mesh, edge, s, 0), *b = end_in(mesh, edge, s, 1);
+        sum += hypot(b[0] - a[0], b[1] - a[1]) / sides;
+    }
+    return sum;
 }
 
 double mesh_plane_rise(const struct mesh_plane *p, int i, int j)
@@ -164,12 +197,47 @@ static void set_points(struct mesh *mesh, const struct scene *scene)
         mesh->uvw[a][0] = mesh->flat.at[a][0] / scene->length;
         mesh->uvw[a][1] = mesh->flat.at[a][1] / scene->width;
         mesh->uvw[a][2] = 0.5;
-        scene_rest_point(scene, mesh->uvw[a], mesh->rest + 3 * (size_t)a);
+        if (mesh->flat.start)
+            scene_pose_point(scene, mesh->flat.start[a], mesh->rest + 3 * (size_t)a);
+        else
+            scene_rest_point(scene, mesh->uvw[a], mesh->rest + 3 * (size_t)a);
     }
     for (int t = 0; t < mesh->flat.triangles; t++)
         for (int c = 0; c < 3; c++)
             mesh->area[mesh->flat.triangle[t][c]] +=
                 area2(at(mesh, t, 0), at(mesh, t, 1), at(mesh, t, 2)) / 6;
+}
+
+/* Computes where a way in a triangle's plane points as it starts in space. */
+static void raise(const struct mesh *mesh, int t, const double way[2], double sign,
+                  double direction[3])
+{
+    const struct mesh_plane p = mesh_plane_of(mesh, t);
+
+    for (int j = 0; j < 3; j++) {
+        const double rise =
+            -(p.out[j][0] * way[0] + p.out[j][1] * way[1]) * p.length[j] / (2 * p.area);
+        const double *x = mesh->rest + 3 * (size_t)mesh->flat.triangle[t][j];
+        for (int i = 0; i < 3; i++)
+            direction[i] += sign * rise * x[i];
+    }
+}
+
+/* Computes the slope across an edge where the sheet starts in space: the mean of those of
+ * both triangles. */
+static void slope_in_space(const struct mesh *mesh, const struct mesh_edge *e,
+                           double slope[3])
+{
+    const int sides = e->triangle[1] < 0 ? 1 : 2;
+
+    for (int s = 0; s < sides; s++) {
+        const int t = e->triangle[s], *v = mesh->flat.triangle[t];
+        int c = 0;
+        while (v[c] != e->node[2 + s])
+            c++;
+        raise(mesh, t, mesh_plane_of(mesh, t).out[c], (s ? -1 : 1) * mesh->scale / sides,
+              slope);
+    }
 }
 
 /* Those at edges are unknowns, but for edges of which both ends are clamped. */
@@ -184,7 +252,10 @@ static void set_edges(struct mesh *mesh, const struct scene *scene, bool slopes)
         mesh->uvw[a][2] = mesh->clamped[end[0]] && mesh->clamped[end[1]] ? SUPPORTS_NONE
                           : slopes                                       ? SUPPORTS_THREE
                                                                          : SUPPORTS_ONE;
-        for (int i = 0; slopes && i < 3; i++)
+        if (slopes && mesh->flat.start)
+            slope_in_space(mesh, &mesh->edge[a - mesh->vertices],
+                           mesh->rest + 3 * (size_t)a);
+        for (int i = 0; slopes && !mesh->flat.start && i < 3; i++)
             mesh->rest[3 * (size_t)a + (size_t)i] =
                 mesh->scale * (out[0] * pose->axis_u[i] + out[1] * pose->axis_v[i]);
     }
@@ -205,21 +276,20 @@ void mesh_weigh_edges(const struct mesh *mesh, double areal, double *mass)
 /* Takes the scene's own triangles, or makes some: as many points in the box as a grid of
  * d->points would have. */
 static enum status make_outline(struct mesh_flat *flat, const struct scene *scene,
-                                const struct discretization *d)
+                                const struct discretization *d, struct message *why)
 {
-    const struct mesh_flat *own = &scene->pattern->mesh;
     const double cells = (d->points[0] - 1.) * (d->points[1] - 1.);
 
-    if (!own->nodes || d->mesh)
+    if (d->mesh && scene->pattern->node)
+        return status_fail(
+            why, STATUS_INPUT,
+            "mesh=%s: the sheet is sewn together or starts in space, and has "
+            "a mesh of its own, which refine=1 makes finer; leave it out",
+            d->mesh);
+    if (!scene->pattern->mesh.nodes || d->mesh)
         return pattern_mesh(scene, sqrt(scene->length * scene->width / cells / sqrt(0.75)),
                             d->seed, flat);
-    const enum status st = mesh_flat_make(flat, own->nodes, own->triangles);
-    if (st != STATUS_OK)
-        return st;
-    flat->nodes = own->nodes, flat->triangles = own->triangles;
-    memcpy(flat->at, own->at, (size_t)own->nodes * sizeof *own->at);
-    memcpy(flat->triangle, own->triangle, (size_t)own->triangles * sizeof *own->triangle);
-    return STATUS_OK;
+    return pattern_sewn(scene->pattern, flat);
 }
 
 static enum status make_flat(struct mesh_flat *flat, const struct scene *scene,
@@ -231,7 +301,7 @@ static enum status make_flat(struct mesh_flat *flat, const struct scene *scene,
     enum status st;
 
     if (scene->pattern)
-        TRY(make_outline(flat, scene, d));
+        TRY(make_outline(flat, scene, d, why));
     else if (mesh_is_grid(scene, d) || irregular || diagonal)
         TRY(mesh_flat_grid(flat, side, d->points, !diagonal));
     else

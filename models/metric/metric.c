@@ -470,7 +470,7 @@ static void rest_direction(const struct scene *scene, double line[3])
     double x[3];
 
     memcpy(line, scene->axis_u, 3 * sizeof *line);
-    if (scene->shape == SCENE_FLAT)
+    if (scene_starts_flat(scene))
         return;
     scene_rest_point(scene, start, x);
     scene_rest_point(scene, end, line);

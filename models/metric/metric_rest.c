@@ -210,13 +210,13 @@ double metric_rest_distance(const struct scene *scene, const double lo[3],
 {
     double nearest = INFINITY, from[3], to[3];
 
-    for (int k = 0; k < scene_sheets(scene) && scene->shape == SCENE_FLAT; k++)
+    for (int k = 0; k < scene_sheets(scene) && scene_starts_flat(scene); k++)
         if (part_in(scene, k, lo, hi, from, to)) {
             scene_sheet_at(scene, from[0], &from[0]);
             scene_sheet_at(scene, to[0], &to[0]);
             nearest = fmin(nearest, distance_flat(scene, &scene->pose[k], from, to, x));
         }
-    if (scene->shape == SCENE_FLAT)
+    if (scene_starts_flat(scene))
         return nearest;
     for (int n = 0; n < 9 && !(nearest < near * near); n++) {
         double uvw[3] = {lo[0] + n / 3 * (hi[0] - lo[0]) / 2,

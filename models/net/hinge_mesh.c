@@ -77,7 +77,7 @@ static enum status make(struct calibration *c)
                  ROOM(c->bend, mesh->vertices), ROOM(c->start, mesh->edges),
                  ROOM(c->fold, mesh->edges), ROOM(c->ien, mesh->edges)));
     for (int n = 0; n < mesh->edges; n++)
-        for (int k = 0; mesh->edge[n].node[3] < 0 && k < 2; k++)
+        for (int k = 0; mesh_edge_ends(mesh, n) && k < 2; k++)
             c->rim[mesh->edge[n].node[k]] = true;
     for (int t = 0; t < mesh->flat.triangles; t++) {
         const int *v = mesh->flat.triangle[t];

@@ -169,7 +169,8 @@ enum status net_march(struct net *net, struct march *m, const struct discretizat
     m->enough = m->euler ? d->iterations : 0;
     m->substeps = march_explicit(d) ? 1 : d->substeps; /* divides by itself */
     TRY(march_init(m, d, why));
-    m->body.energy(m->body.self, net->x, &net->rest_energy);
+    if (!net->mesh.flat.start)
+        m->body.energy(m->body.self, net->x, &net->rest_energy);
 out:
     return st;
 }

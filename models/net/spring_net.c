@@ -135,11 +135,14 @@ static void add_edges(struct spring_net *net, const struct scene *scene)
     for (const struct mesh_edge *at = mesh->edge; at < mesh->edge + mesh->edges; at++) {
         const int p = at->node[0], q = at->node[1];
         vector_between(mesh->rest + 3 * (size_t)p, mesh->rest + 3 * (size_t)q, e);
+        const double length = mesh->flat.start
+                                  ? mesh_edge_length(mesh, (int)(at - mesh->edge))
+                                  : vector_length(e);
         net->springs[net->spring_count++] =
             (struct spring){.a = p < q ? p : q,
                             .b = p < q ? q : p,
                             .stiffness = beside_triangle(scene) * (at->node[3] < 0 ? 1 : 2),
-                            .length = vector_length(e)};
+                            .length = length};
     }
 }
 

@@ -10,6 +10,7 @@
 #include "models/reader/yaml_tree.h"
 
 enum { MOST_BYTES = 1 << 28, MOST_POINTS = 1 << 22, MOST_CORNERS = 6 * MOST_POINTS };
+enum { MOST_GROUPS = 10000 };
 static const char BLANKS[] = " \t\r";
 
 static const struct named_file_kind kind = {.what = "mesh", .most = MOST_BYTES};
@@ -17,6 +18,7 @@ static const struct named_file_kind kind = {.what = "mesh", .most = MOST_BYTES};
 struct reading {
     struct yaml_tree line; /* to blame */
     struct obj_file *o;
+    int group; /* of the faces that follow */
 };
 
 /* Makes room behind list[count] for one more item of `size` bytes, if there may be that
@@ -97,8 +99,8 @@ static enum status read_corner(const struct reading *r, const char *word,
 {
     char *end;
 
-    *c =
-        (struct obj_file_corner){take_number(r->o->vertices, word, &end), -1, r->line.line};
+    *c = (struct obj_file_corner){take_number(r->o->vertices, word, &end), -1, r->line.line,
+                                  r->group};
     bool good = c->v >= 0 && (!*end || *end == '/');
     if (good && *end == '/' && end[1] && end[1] != '/') {
         c->vt = take_number(r->o->textures, end + 1, &end);
@@ -132,6 +134,24 @@ out:
     return st;
 }
 
+static enum status take_group(struct reading *r, char *name, struct message *why)
+{
+    struct obj_file *o = r->o;
+    enum status st;
+
+    name += strspn(name, BLANKS);
+    for (char *end = name + strlen(name); end > name && strchr(BLANKS, end[-1]);)
+        *--end = '\0';
+    for (r->group = 0; r->group < o->groups; r->group++)
+        if (!strcmp(o->group[r->group], name))
+            return STATUS_OK;
+    TRY(GROW(o->group, o->groups, MOST_GROUPS));
+    TRY((o->group[o->groups] = strdup(name)) ? STATUS_OK : STATUS_MEMORY);
+    o->groups++;
+out:
+    return st;
+}
+
 static enum status take_line(struct reading *r, char *line, struct message *why)
 {
     char *rest;
@@ -141,6 +161,7 @@ static enum status take_line(struct reading *r, char *line, struct message *why)
            : !strcmp(word, "v")  ? take_vertex(r, rest, why)
            : !strcmp(word, "vt") ? take_texture(r, rest, why)
            : !strcmp(word, "f")  ? take_face(r, rest, why)
+           : !strcmp(word, "g")  ? take_group(r, rest, why)
                                  : STATUS_OK;
 }
 
@@ -184,7 +205,7 @@ static enum status check_corners(struct reading *r, struct message *why)
 
 enum status obj_file_read(const char *path, struct obj_file *o, struct message *why)
 {
-    struct reading r = {.line = {.origin = path}, .o = o};
+    struct reading r = {.line = {.origin = path}, .o = o, .group = -1};
     char *bytes = NULL;
     size_t size;
     enum status st;
@@ -213,5 +234,8 @@ void obj_file_clear(struct obj_file *o)
     free(o->vertex);
     free(o->texture);
     free(o->corner);
+    for (int n = 0; n < o->groups; n++)
+        free(o->group[n]);
+    free(o->group);
     *o = (struct obj_file){0};
 }

@@ -11,12 +11,20 @@
  * high as that share of its longest side, or its shape is not known. */
 static const double NEAR = 1e-5;
 
+/* The share by which the sides of a seam may differ: what differs is strain from the start.
+ */
+static const double UNEQUAL = 0.01;
+
 static const double FARTHEST = 1e6; /* as of a scene's places [m] */
 
 struct reading {
     struct yaml_tree line; /* to blame                                                 */
     const double *side;    /* of the rectangle; NULL: any outline                [m]   */
     struct obj_file obj;   /*                                                      owned */
+    int *of;     /* [points] the `v` of each place in the plane                    owned */
+    int *next;   /* [points] another place of that, -1: none                       owned */
+    int *root;   /* [vertices] the first that it is sewn to, itself if none        owned */
+    bool raised; /* points have several places, or start elsewhere                       */
 };
 
 /* Finds where a corner is in the plane; false if it is not in the rectangle. What is near
@@ -52,6 +60,13 @@ static bool starts_flat(const struct reading *r, const struct obj_file_corner *c
     return hypot(v[0] - vt[0], v[1] - vt[1]) <= NEAR && (vt == v || fabs(v[2]) <= NEAR);
 }
 
+static bool is_at(const struct reading *r, const double known[2], const double at[2])
+{
+    return fabs(known[0] - at[0]) <= NEAR * (r->side ? r->side[0] : 1) &&
+           fabs(known[1] - at[1]) <= NEAR * (r->side ? r->side[1] : 1);
+}
+
+/* Finds the place of a corner among those of its `v`; of a rectangle there is one. */
 static enum status add_corner(struct reading *r, struct mesh_flat *flat, int *node,
                               const struct obj_file_corner *corner, int *into,
                               struct message *why)
@@ -59,12 +74,7 @@ static enum status add_corner(struct reading *r, struct mesh_flat *flat, int *no
     double at[2];
 
     r->line.line = corner->line;
-    if (!r->side && !starts_flat(r, corner))
-        return yaml_tree_refuse(
-            &r->line, why,
-            "`v` %d is not where its `vt` is: a start that is not the flat pattern is not "
-            "there yet; x and y as vt, and z = 0, would be right",
-            corner->v + 1);
+    r->raised |= !r->side && !starts_flat(r, corner);
     const bool inside = place_of(r, corner, at);
     if (!inside && !r->side)
         return yaml_tree_refuse(&r->line, why,
@@ -77,17 +87,24 @@ static enum status add_corner(struct reading *r, struct mesh_flat *flat, int *no
             "the point at %g, %g m is not on the sheet of %g by %g m; vt from 0 to 1, or x "
             "and y in metres from a corner, would be right",
             at[0], at[1], r->side[0], r->side[1]);
-    if (isnan(flat->at[node[corner->v]][0]))
-        memcpy(flat->at[node[corner->v]], at, sizeof at);
     *into = node[corner->v];
+    if (isnan(flat->at[*into][0]))
+        memcpy(flat->at[*into], at, sizeof at);
+    while (!is_at(r, flat->at[*into], at) && r->next[*into] >= 0)
+        *into = r->next[*into];
     const double *known = flat->at[*into];
-    if (fabs(known[0] - at[0]) > NEAR * (r->side ? r->side[0] : 1) ||
-        fabs(known[1] - at[1]) > NEAR * (r->side ? r->side[1] : 1))
+    if (is_at(r, known, at))
+        return STATUS_OK;
+    if (r->side)
         return yaml_tree_refuse(
             &r->line, why,
             "`v` %d has two places on the sheet, %g, %g and %g, %g m; one "
             "`vt` for each `v` would be right",
             corner->v + 1, known[0], known[1], at[0], at[1]);
+    r->next[*into] = flat->nodes, r->next[flat->nodes] = -1;
+    r->of[flat->nodes] = corner->v, r->raised = true;
+    *into = flat->nodes++;
+    memcpy(flat->at[*into], at, sizeof at);
     return STATUS_OK;
 }
 
@@ -185,12 +202,15 @@ static enum status check(struct reading *r, const struct mesh_flat *flat,
 static enum status make(struct reading *r, struct mesh_flat *flat, struct message *why)
 {
     const int triangles = r->obj.corners / 3;
+    const size_t most = (size_t)r->obj.vertices + (size_t)r->obj.corners + 1;
     int *node = malloc(((size_t)r->obj.vertices + 1) * sizeof *node);
     enum status st = STATUS_MEMORY;
 
-    flat->at = malloc(((size_t)r->obj.vertices + 1) * sizeof *flat->at);
+    flat->at = malloc(most * sizeof *flat->at);
     flat->triangle = malloc(((size_t)triangles + 1) * sizeof *flat->triangle);
-    if (!node || !flat->at || !flat->triangle)
+    r->of = malloc(most * sizeof *r->of);
+    r->next = malloc(most * sizeof *r->next);
+    if (!node || !flat->at || !flat->triangle || !r->of || !r->next)
         goto out;
     for (int n = 0; n < r->obj.vertices; n++)
         node[n] = -1;
@@ -198,7 +218,8 @@ static enum status make(struct reading *r, struct mesh_flat *flat, struct messag
         node[r->obj.corner[n].v] = 0;
     for (int n = 0; n < r->obj.vertices; n++) /* those of faces, in the file's order */
         if (node[n] == 0)
-            flat->at[flat->nodes][0] = NAN, node[n] = flat->nodes++;
+            flat->at[flat->nodes][0] = NAN, r->of[flat->nodes] = n,
+            r->next[flat->nodes] = -1, node[n] = flat->nodes++;
     r->line.line = -1;
     if (!triangles)
         TRY(yaml_tree_refuse(&r->line, why, "no faces, as in `f 1 2 3`"));
@@ -223,7 +244,12 @@ static enum status refuse_outline(struct reading *r, int triangle, const struct 
     }
     const double *at = p->at[p->line[blame->line] + blame->point];
     r->line.line = -1;
-    return blame->fault == PATTERN_CROSSING
+    return blame->fault == PATTERN_OUTSIDE
+               ? yaml_tree_refuse(&r->line, why,
+                                  "the panel at %g, %g m lies on another one; panels side "
+                                  "by side in the plane would be right",
+                                  at[0], at[1])
+           : blame->fault == PATTERN_CROSSING
                ? yaml_tree_refuse(
                      &r->line, why,
                      "the sheet's edge meets itself at %g, %g m; a pattern that "
@@ -233,6 +259,28 @@ static enum status refuse_outline(struct reading *r, int triangle, const struct 
                                   "the triangles are two pieces that nothing joins, one at "
                                   "%g, %g m; one piece would be right",
                                   at[0], at[1]);
+}
+
+/* Gives the pattern the file's numbers and groups. */
+static enum status hand_over(struct reading *r, struct pattern *p)
+{
+    p->in = malloc(((size_t)p->mesh.triangles + 1) * sizeof *p->in);
+    if (!p->in)
+        return STATUS_MEMORY;
+    for (int t = 0; t < p->mesh.triangles; t++)
+        p->in[t] = r->obj.corner[3 * t].group;
+    p->vertex = r->of, r->of = NULL;
+    p->group = r->obj.group, p->groups = r->obj.groups;
+    r->obj.group = NULL, r->obj.groups = 0;
+    return STATUS_OK;
+}
+
+static void clear(struct reading *r)
+{
+    obj_file_clear(&r->obj);
+    free(r->of);
+    free(r->next);
+    free(r->root);
 }
 
 enum status pattern_file_read(const char *path, const double side[2],
@@ -246,12 +294,172 @@ enum status pattern_file_read(const char *path, const double side[2],
     TRY(make(&r, &new, why));
     HAND_OVER(flat, new);
 out:
-    obj_file_clear(&r.obj);
+    clear(&r);
     mesh_flat_clear(&new);
     return st;
 }
 
-enum status pattern_file_outline(const char *path, struct pattern **pattern, double size[2],
+/* --- seams ------------------------------------------------------------------------------
+ */
+
+static int root_of(const struct reading *r, int v)
+{
+    while (r->root[v] != v)
+        v = r->root[v];
+    return v;
+}
+
+static enum status join(struct reading *r, int pairs, const int (*pair)[2],
+                        struct message *why)
+{
+    r->root = malloc(((size_t)r->obj.vertices + 1) * sizeof *r->root);
+    if (!r->root)
+        return STATUS_MEMORY;
+    for (int n = 0; n < r->obj.vertices; n++)
+        r->root[n] = n;
+    for (int n = 0; n < pairs; n++) {
+        const int most = pair[n][0] > pair[n][1] ? pair[n][0] : pair[n][1];
+        if (most >= r->obj.vertices) {
+            r->line.line = -1;
+            return yaml_tree_refuse(&r->line, why, "a seam joins `v` %d, but there are %d",
+                                    most + 1, r->obj.vertices);
+        }
+        const int a = root_of(r, pair[n][0]), b = root_of(r, pair[n][1]);
+        r->root[a > b ? a : b] = a > b ? b : a;
+    }
+    r->raised |= pairs > 0;
+    return STATUS_OK;
+}
+
+/* Numbers what is sewn together, in the file's order; it starts at the mean place. */
+static enum status sew(struct reading *r, int points, struct pattern *p)
+{
+    const size_t vertices = (size_t)r->obj.vertices + 1;
+    int *number = malloc(vertices * sizeof *number),
+        *count = calloc(vertices, sizeof *count);
+    bool *named = calloc(vertices, sizeof *named);
+    enum status st = STATUS_MEMORY;
+
+    p->node = malloc(((size_t)points + 1) * sizeof *p->node);
+    p->start = calloc((size_t)points + 1, sizeof *p->start);
+    if (!number || !count || !named || !p->node || !p->start)
+        goto out;
+    for (int n = 0; n < points; n++)
+        named[r->of[n]] = true;
+    for (int v = 0; v < r->obj.vertices; v++)
+        number[v] = -1;
+    for (int v = 0; v < r->obj.vertices; v++) {
+        int *its = &number[root_of(r, v)];
+        if (!named[v])
+            continue;
+        if (*its < 0)
+            *its = p->nodes++;
+        count[*its]++;
+        for (int i = 0; i < 3; i++) /* the mean so far */
+            p->start[*its][i] += (r->obj.vertex[v].at[i] - p->start[*its][i]) / count[*its];
+    }
+    for (int n = 0; n < points; n++)
+        p->node[n] = number[root_of(r, r->of[n])];
+    st = STATUS_OK;
+out:
+    free(number);
+    free(count);
+    free(named);
+    return st;
+}
+
+/* Refuses an edge whose two triangles do not fit. */
+static enum status check_edge(struct reading *r, const struct pattern *p,
+                              const struct mesh_flat *sewn, const struct mesh_edge *e,
+                              struct message *why)
+{
+    double length[2], mean[2] = {0};
+    bool same = false;
+
+    for (int s = 0; s < 2; s++) {
+        const int t = e->triangle[s], *v = sewn->triangle[t];
+        int c = 0;
+        while (v[c] != e->node[2 + s])
+            c++;
+        const int b = (c + 1) % 3, d = (c + 2) % 3;
+        const double *from = mesh_flat_place(sewn, t, b), *to = mesh_flat_place(sewn, t, d);
+        length[s] = hypot(to[0] - from[0], to[1] - from[1]);
+        same |= s && v[b] == e->node[0];
+        for (int i = 0; i < 2; i++)
+            mean[i] += (from[i] + to[i]) / 4 + p->corner[i] / 2;
+    }
+    r->line.line = r->obj.corner[3 * e->triangle[1]].line;
+    if (same)
+        return yaml_tree_refuse(
+            &r->line, why,
+            "this triangle and its neighbour at %g, %g m have their faces on opposite "
+            "sides: one panel lies upside down in the plane, or the seams make a Moebius "
+            "strip; the panel's `vt` mirrored would be right",
+            mean[0], mean[1]);
+    if (fabs(length[0] - length[1]) > UNEQUAL * fmax(length[0], length[1]))
+        return yaml_tree_refuse(&r->line, why,
+                                "a seam joins this triangle's edge of %g m to one of %g m; "
+                                "equal lengths, to %g %%, would be right",
+                                length[1], length[0], 100 * UNEQUAL);
+    return STATUS_OK;
+}
+
+/* Refuses pieces that nothing joins. */
+static enum status check_pieces(struct reading *r, const struct mesh_flat *sewn,
+                                struct message *why)
+{
+    int *piece = malloc(((size_t)sewn->nodes + 1) * sizeof *piece), other = -1;
+
+    if (!piece)
+        return STATUS_MEMORY;
+    mesh_flat_pieces(sewn, piece);
+    for (int t = 0; t < sewn->triangles && other < 0; t++)
+        other = piece[sewn->triangle[t][0]] ? t : -1;
+    free(piece);
+    if (other < 0)
+        return STATUS_OK;
+    r->line.line = r->obj.corner[3 * other].line;
+    return yaml_tree_refuse(&r->line, why,
+                            "nothing joins this panel to the first; a seam, or points that "
+                            "both name, would be right");
+}
+
+static enum status check_sewn(struct reading *r, const struct pattern *p,
+                              struct message *why)
+{
+    struct mesh_flat sewn = {0};
+    struct mesh_edge *edge = NULL;
+    int edges = 0, (*side)[3] = NULL;
+    enum status st = pattern_sewn(p, &sewn);
+
+    TRY(st);
+    for (int t = 0; t < sewn.triangles; t++) {
+        const int *v = sewn.triangle[t];
+        r->line.line = r->obj.corner[3 * t].line;
+        if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0])
+            TRY(yaml_tree_refuse(&r->line, why,
+                                 "a seam joins two points of this triangle"));
+    }
+    st = mesh_flat_edges(&sewn, &edge, &edges, &side);
+    if (st == STATUS_INPUT) {
+        r->line.line = r->obj.corner[3 * edges].line;
+        yaml_tree_refuse(&r->line, why,
+                         "three triangles meet at a seam; two would be right");
+    }
+    for (int n = 0; st == STATUS_OK && n < edges; n++)
+        if (edge[n].triangle[1] >= 0)
+            st = check_edge(r, p, &sewn, &edge[n], why);
+    if (st == STATUS_OK)
+        st = check_pieces(r, &sewn, why);
+out:
+    free(edge);
+    free(side);
+    mesh_flat_clear(&sewn);
+    return st;
+}
+
+enum status pattern_file_outline(const char *path, int pairs, const int (*pair)[2],
+                                 struct pattern **pattern, double size[2],
                                  struct message *why)
 {
     enum status st;
@@ -264,13 +472,20 @@ enum status pattern_file_outline(const char *path, struct pattern **pattern, dou
     TRY(p ? STATUS_OK : STATUS_MEMORY);
     TRY(obj_file_read(path, &r.obj, why));
     TRY(make(&r, &flat, why));
+    TRY(join(&r, pairs, pair, why));
+    if (r.raised)
+        TRY(sew(&r, flat.nodes, p));
     st = pattern_add_mesh(p, &flat, &triangle);
     if (st == STATUS_OK)
         st = pattern_finish(p, size, &blame);
     if (st == STATUS_INPUT)
         st = refuse_outline(&r, triangle, p, &blame, why);
+    if (st == STATUS_OK && r.raised)
+        st = check_sewn(&r, p, why);
+    if (st == STATUS_OK)
+        st = hand_over(&r, p);
 out:
-    obj_file_clear(&r.obj);
+    clear(&r);
     mesh_flat_clear(&flat);
     if (st == STATUS_OK)
         *pattern = p;

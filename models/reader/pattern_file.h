@@ -14,9 +14,13 @@
 enum status pattern_file_read(const char *path, const double side[2],
                               struct mesh_flat *flat, struct message *why);
 
-/* Reads a sheet of any outline, in one piece: its plane is x and y in metres, and so is vt,
- * where faces name it; size[2]: of its box [m]. *pattern is the caller's. */
-enum status pattern_file_outline(const char *path, struct pattern **pattern, double size[2],
+/* Reads a sheet of any outline: its plane is vt in metres, or, where faces name none, x and
+ * y. A point with several `vt` is on a seam of panels that lie beside each other in the
+ * plane, and pair[pairs][2], numbers of `v` from 0, sew others together. Where there are
+ * seams, or x, y and z are not the plane, they are where the sheet starts, at the mean of
+ * those that are sewn together. size[2]: of its box [m]. *pattern is the caller's. */
+enum status pattern_file_outline(const char *path, int pairs, const int (*pair)[2],
+                                 struct pattern **pattern, double size[2],
                                  struct message *why);
 
 #endif

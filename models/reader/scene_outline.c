@@ -1,15 +1,17 @@
 #include "models/reader/scene_outline.h"
 
+#include <limits.h>
+#include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "models/pattern.h"
 #include "models/reader/mesh_file.h"
 #include "models/reader/pattern_file.h"
 #include "models/reader/schema.h"
 
-/* Leaves to scene_outline_check what takes several keys. */
-static enum status read_later(const struct schema_key *key, const struct yaml_tree *node,
-                              void *target, struct message *why)
+enum status scene_outline_later(const struct schema_key *key, const struct yaml_tree *node,
+                                void *target, struct message *why)
 {
     (void)key, (void)node, (void)target, (void)why;
     return STATUS_OK;
@@ -22,11 +24,14 @@ const struct schema_key scene_outline_keys[] = {
     {"width", "W along v [m]", SCHEMA_NUMBER, .low = 1e-9, .high = 1e6,
      .offset = offsetof(struct scene, width)},
     {"outline", "in place of these: corners of the flat pattern, one after the other [m]",
-     SCHEMA_SPECIAL, .read = read_later, .want = "3 to 10000 points [x, y]"},
-    {"holes", "closed lines in the outline [m]", SCHEMA_SPECIAL, .read = read_later,
+     SCHEMA_SPECIAL, .read = scene_outline_later, .want = "3 to 10000 points [x, y]"},
+    {"holes", "closed lines in the outline [m]", SCHEMA_SPECIAL, .read = scene_outline_later,
      .want = "a list of lines of points [x, y]"},
     {"mesh", "in place of an outline: OBJ file, sought from the scene's folder, whose x "
      "and y are the flat pattern [m]", SCHEMA_TEXT, .offset = offsetof(struct scene, pattern_file)},
+    {"seams", "of a mesh: each two runs of numbers of its `v`, from 1, that are sewn "
+     "together one by one", SCHEMA_SPECIAL, .read = scene_outline_later,
+     .want = "a list of seams [[1, 2, 3], [7, 8, 9]]"},
     {"thickness", "h along w; fabrics have their own [m]", SCHEMA_NUMBER, .low = 1e-9,
      .high = 1e6, .offset = offsetof(struct scene, thickness)},
     {NULL}};
@@ -115,22 +120,191 @@ out:
     return st;
 }
 
+static const struct schema_key NUMBER = {.key = "a point of the mesh",
+                                         .type = SCHEMA_COUNT,
+                                         .low = 1,
+                                         .high = INT_MAX,
+                                         .want = "the number of a `v`"};
+
+/* Adds the pairs of a seam, numbers from 0, to pair[*count][2]; NULL: counts them. */
+static enum status read_seam(const struct yaml_tree *seam, int *count, int (*pair)[2],
+                             struct message *why)
+{
+    const struct yaml_tree *run[2] = {seam->first, seam->first ? seam->first->next : NULL};
+    enum status st = STATUS_OK;
+
+    if (seam->kind != YAML_TREE_LIST || seam->count != 2 ||
+        run[0]->kind != YAML_TREE_LIST || run[1]->kind != YAML_TREE_LIST ||
+        run[0]->count != run[1]->count || run[0]->count < 2)
+        return yaml_tree_refuse(seam, why,
+                                "a seam has two runs of as many points, at least two, as "
+                                "in [[1, 2, 3], [7, 8, 9]]");
+    for (int s = 0; s < 2; s++) {
+        int n = *count;
+        for (const struct yaml_tree *at = run[s]->first; at; at = at->next, n++) {
+            int v;
+            TRY(schema_value(&NUMBER, at, &v, why));
+            if (pair)
+                pair[n][s] = v - 1;
+        }
+    }
+    *count += run[0]->count;
+out:
+    return st;
+}
+
+/* Makes the list of pairs that seams join, owned by the caller. */
+static enum status read_seams(const struct yaml_tree *seams, int *count, int (**pair)[2],
+                              struct message *why)
+{
+    enum status st = STATUS_OK;
+
+    if (seams && seams->kind != YAML_TREE_LIST)
+        return yaml_tree_refuse(seams, why, "seams must be a list of seams, each two runs");
+    for (int fill = 0; seams && fill < 2; fill++) {
+        if (fill && !(*pair = malloc((size_t)(*count + 1) * sizeof **pair)))
+            return STATUS_MEMORY;
+        *count = 0;
+        for (const struct yaml_tree *seam = seams->first; seam; seam = seam->next)
+            TRY(read_seam(seam, count, *pair, why));
+    }
+out:
+    return st;
+}
+
 /* Reads the mesh that is the sheet, if `files`. */
 static enum status load_pattern(const struct yaml_tree *root, const struct yaml_tree *mesh,
                                 bool files, struct scene *scene, struct message *why)
 {
+    const struct yaml_tree *seams = yaml_tree_find(yaml_tree_find(root, "sheet"), "seams");
+    int pairs = 0, (*pair)[2] = NULL;
     double size[2];
     struct message inner = {""};
     char path[MESH_FILE_PATH];
     enum status st = mesh_file_path(root, mesh, scene->pattern_file, path, why);
 
     scene->length = scene->width = 1;
-    if (st != STATUS_OK || !files)
-        return st;
-    st = pattern_file_outline(path, &scene->pattern, size, &inner);
+    TRY(st);
+    TRY(read_seams(seams, &pairs, &pair, why));
+    if (!files)
+        goto out;
+    st = pattern_file_outline(path, pairs, (const int(*)[2])pair, &scene->pattern, size,
+                              &inner);
     if (st == STATUS_OK)
         scene->length = size[0], scene->width = size[1];
-    return st == STATUS_INPUT ? yaml_tree_refuse(mesh, why, "%s", inner.text) : st;
+    if (st == STATUS_INPUT)
+        yaml_tree_refuse(mesh, why, "%s", inner.text);
+out:
+    free(pair);
+    return st;
+}
+
+/* --- supports by vertices and groups ----------------------------------------------------
+ */
+
+/* Marks the `v` that a list names: by its numbers, or as corners of a group. */
+static enum status mark(const struct yaml_tree *node, const struct pattern *p, int count,
+                        bool *marked, struct message *why)
+{
+    enum status st = STATUS_OK;
+    int group = 0, v;
+
+    if (node->kind == YAML_TREE_LIST) {
+        for (const struct yaml_tree *at = node->first; at; at = at->next) {
+            TRY(schema_value(&NUMBER, at, &v, why));
+            if (v > count)
+                TRY(yaml_tree_refuse(at, why, "the sheet's faces name `v` up to %d",
+                                     count));
+            marked[v - 1] = true;
+        }
+        return st;
+    }
+    while (group < p->groups && strcmp(p->group[group], node->text))
+        group++;
+    if (group == p->groups)
+        return yaml_tree_refuse(node, why, "the sheet's mesh has no group (`g`) %s",
+                                yaml_tree_quote(node->text).text);
+    for (int n = 0; n < 3 * p->mesh.triangles; n++)
+        if (p->in[n / 3] == group)
+            marked[p->vertex[p->mesh.triangle[n / 3][n % 3]]] = true;
+out:
+    return st;
+}
+
+/* Adds a triangle's marked corners to the parts, the first in place of those that are not.
+ */
+static void add_part(const struct pattern *p, int triangle, const bool *marked,
+                     struct scene_support *s)
+{
+    const int *v = p->mesh.triangle[triangle];
+    int first = 0;
+
+    while (first < 3 && !marked[p->vertex[v[first]]])
+        first++;
+    for (int k = 0; first < 3 && k < 3; k++) {
+        const double *at = p->mesh.at[v[marked[p->vertex[v[k]]] ? k : first]];
+        for (int i = 0; i < 2; i++) {
+            const double place = at[i] / p->size[i];
+            s->part[s->part_count][k][i] = place;
+            s->lo[i] = fmin(s->lo[i], place), s->hi[i] = fmax(s->hi[i], place);
+        }
+    }
+    s->part_count += first < 3;
+}
+
+static enum status place_support(const struct yaml_tree *node, const struct pattern *p,
+                                 struct scene_support *s, struct message *why)
+{
+    enum status st;
+    int count = 0;
+
+    for (int n = 0; n < p->mesh.nodes; n++)
+        count = p->vertex[n] >= count ? p->vertex[n] + 1 : count;
+    bool *marked = calloc((size_t)count + 1, sizeof *marked);
+    s->part = malloc((size_t)p->mesh.triangles * sizeof *s->part);
+    TRY(marked && s->part ? STATUS_OK : STATUS_MEMORY);
+    TRY(mark(node, p, count, marked, why));
+    s->lo[0] = s->lo[1] = 1, s->hi[0] = s->hi[1] = 0;
+    for (int t = 0; t < p->mesh.triangles; t++)
+        add_part(p, t, marked, s);
+    if (!s->part_count)
+        st = yaml_tree_refuse(node, why, "no face names these points");
+out:
+    free(marked);
+    return st;
+}
+
+/* Places the supports that name vertices or a group. */
+static enum status place_supports(const struct yaml_tree *root, struct scene *scene,
+                                  struct message *why)
+{
+    const struct yaml_tree *node = yaml_tree_first(root, "supports");
+    enum status st = STATUS_OK;
+
+    for (struct scene_support *s = scene->supports; node; s++, node = node->next) {
+        const struct yaml_tree *at = yaml_tree_find(node, "at"),
+                               *vertices = yaml_tree_find(at, "vertices"),
+                               *group = yaml_tree_find(at, "group"),
+                               *names = vertices ? vertices : group;
+        if (!names)
+            continue;
+        if (vertices ? vertices->kind != YAML_TREE_LIST || !vertices->count
+                     : group->kind != YAML_TREE_SCALAR)
+            return yaml_tree_refuse(names, why, "%s must be %s",
+                                    vertices ? "vertices" : "group",
+                                    vertices ? "a list of numbers" : "a name");
+        if ((vertices && group) || yaml_tree_find(at, "u") || yaml_tree_find(at, "v"))
+            return yaml_tree_refuse(names, why,
+                                    "a support lies at u and v, at vertices or at a group; "
+                                    "one of these would be right");
+        if (!scene->pattern_file)
+            return yaml_tree_refuse(names, why,
+                                    "vertices and groups are of a sheet with a mesh");
+        if (scene->pattern)
+            TRY(place_support(names, scene->pattern, s, why));
+    }
+out:
+    return st;
 }
 
 enum status scene_outline_check(const struct yaml_tree *root, bool files,
@@ -159,8 +333,11 @@ enum status scene_outline_check(const struct yaml_tree *root, bool files,
         return yaml_tree_refuse(mesh, why, "a sheet has an outline or a mesh, not both");
     if (holes && !outline)
         return yaml_tree_refuse(holes, why, "holes are of a sheet with an outline");
+    const struct yaml_tree *seams = yaml_tree_find(sheet, "seams");
+    if (seams && !mesh)
+        return yaml_tree_refuse(seams, why, "seams are of a sheet with a mesh");
     if (!outline && !mesh)
-        return STATUS_OK;
+        return place_supports(root, scene, why);
     if (scene->sheets > 1 || scene->shape != SCENE_FLAT)
         return yaml_tree_refuse(
             outline ? outline : mesh, why,
@@ -173,6 +350,7 @@ enum status scene_outline_check(const struct yaml_tree *root, bool files,
     for (int c = 0; c < 3 && scene->pattern; c++)
         scene->origin[c] += scene->pattern->corner[0] * scene->axis_u[c] +
                             scene->pattern->corner[1] * scene->axis_v[c];
+    TRY(place_supports(root, scene, why));
 out:
     return st;
 }

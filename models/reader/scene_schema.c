@@ -503,13 +503,21 @@ static enum status check_snapshots(const struct yaml_tree *root, struct scene *s
     return STATUS_OK;
 }
 
-/* Tells whether closed boxes have a point in common. */
+/* Tells whether closed regions have a point in common; of parts, a corner of the first's.
+ */
 static bool overlap(const struct scene_support *a, const struct scene_support *b)
 {
+    bool meets = !a->part_count;
+
     for (int i = 0; i < 3; i++)
         if (a->hi[i] < b->lo[i] || b->hi[i] < a->lo[i])
             return false;
-    return true;
+    for (int n = 0; n < 3 * a->part_count; n++) {
+        const double *at = a->part[n / 3][n % 3];
+        meets |= at[0] >= b->lo[0] && at[0] <= b->hi[0] && at[1] >= b->lo[1] &&
+                 at[1] <= b->hi[1] && scene_support_has(b, at[0], at[1]);
+    }
+    return meets;
 }
 
 static bool same(double a, double b)
@@ -861,6 +869,10 @@ static const struct schema_key AT[] = {
      .want = "a number or [low, high] within 0 and 1"},
     {"w", "through the thickness", SCHEMA_SPECIAL, PARAMETER, .read = read_interval,
      .want = "a number or [low, high] within 0 and 1"},
+    {"vertices", "in place of u and v: numbers of `v` of the sheet's mesh, from 1, and what is "
+     "between them", SCHEMA_SPECIAL, .read = scene_outline_later, .want = "a list of numbers"},
+    {"group", "in place of u and v: a group (`g`) of the sheet's mesh", SCHEMA_SPECIAL,
+     .read = scene_outline_later, .want = "a name"},
     {NULL}};
 
 static const struct schema_key SUPPORT[] = {
@@ -889,10 +901,10 @@ static enum status read_supports(const struct schema_key *key, const struct yaml
         s = (struct scene_support){.hi = {1, 1, 1}, .line = child->line};
         TRY(schema_read(SUPPORT, child, "a support", &s, why));
         TRY(scene_add_support(target, &s));
-        scene_motion_clear(&s.motion);
+        scene_support_clear(&s);
     }
 out:
-    scene_motion_clear(&s.motion);
+    scene_support_clear(&s);
     return st;
 }
 

@@ -153,7 +153,7 @@ static void check_morley(const char *name, bool own)
     scene.poisson = reference_note_number(table, "poisson");
     scene.young *= 1 - scene.poisson * scene.poisson;
     if (own) {
-        REQUIRE(!pattern_file_outline(path[1], &scene.pattern, size, &why));
+        REQUIRE(!pattern_file_outline(path[1], 0, NULL, &scene.pattern, size, &why));
         scene.length = size[0], scene.width = size[1];
         scene.support_count = 0;
         REQUIRE(!scene_add_support(&scene, &foot));

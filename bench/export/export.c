@@ -103,7 +103,12 @@ static void export_sheet_point(const struct export_sheet *s, int i, int j, doubl
 
     if (at) {
         uvw[0] = at[0] / s->scene->length, uvw[1] = at[1] / s->scene->width, uvw[2] = 0.5;
-        scene_rest_point(s->scene, uvw, xyz);
+        if (s->mesh->flat.start && i >= s->mesh->vertices)
+            memcpy(xyz, s->mirrored[i - s->mesh->vertices], 3 * sizeof *xyz);
+        else if (s->mesh->flat.start)
+            memcpy(xyz, s->mesh->rest + 3 * (size_t)i, 3 * sizeof *xyz);
+        else
+            scene_rest_point(s->scene, uvw, xyz);
         return;
     }
     const int sheet = sheet_of(s, i, &point);
@@ -296,6 +301,18 @@ static bool bends_alone(const struct mesh *mesh, const struct mesh_edge *e, int 
            !mesh->clamped[in] && !(out >= 0 && mesh->clamped[out]);
 }
 
+/* Mirrors a vertex at an edge in space, in their plane. */
+static void mirror(const double *x, const int end[2], int vertex, double mirrored[3])
+{
+    double e[3], c[3];
+
+    vector_between(x + 3 * (size_t)end[0], x + 3 * (size_t)end[1], e);
+    vector_between(x + 3 * (size_t)end[0], x + 3 * (size_t)vertex, c);
+    const double foot = vector_dot(c, e) / vector_dot(e, e);
+    for (int i = 0; i < 3; i++)
+        mirrored[i] = x[3 * end[0] + i] + 2 * foot * e[i] - c[i];
+}
+
 /* Adds the vertices outside of a mesh: those inside mirrored at the edge. */
 static void add_mirrored(struct arena *arena, struct export_sheet *s,
                          struct export_held *held)
@@ -305,6 +322,7 @@ static void add_mirrored(struct arena *arena, struct export_sheet *s,
     const int count = held->count;
 
     s->outside = arena_take(arena, 2 * (size_t)mesh->edges, sizeof *s->outside);
+    s->mirrored = arena_take(arena, 2 * (size_t)mesh->edges, sizeof *s->mirrored);
     for (int k = 0; k < 2 * mesh->edges; k++) {
         const struct mesh_edge *e = &mesh->edge[k / 2];
         const double *a = at[e->node[0]], *b = at[e->node[1]];
@@ -316,6 +334,8 @@ static void add_mirrored(struct arena *arena, struct export_sheet *s,
         int n = 0;
         while (n < count && held->vertex[n].vertex != e->node[0])
             n++;
+        if (mesh->flat.start)
+            mirror(mesh->rest, e->node, e->node[2 + k % 2], s->mirrored[held->outside]);
         s->outside[held->outside][0] = c[0] - far * y;
         s->outside[held->outside][1] = c[1] + far * x;
         add_outside(s, held, mesh->vertices + held->outside, 0, &held->vertex[n]);
@@ -342,7 +362,7 @@ static bool meets_edge(const struct export_sheet *s, const struct scene_support 
 static void doubt_edges(const struct export_sheet *s, struct export_held *held)
 {
     for (int n = s->scene->support_count - 1; n >= 0; n--)
-        for (int k = 3; k >= 0; k--) {
+        for (int k = 3; k >= 0 && !s->scene->supports[n].part_count; k--) {
             const struct scene_support *support = &s->scene->supports[n];
             double at = k % 2 ? support->hi[k / 2] : support->lo[k / 2];
             if (!(k / 2))
@@ -473,6 +493,27 @@ static int export_mesh_triangles(const struct export_sheet *s)
                    : 2 * scene_sheets(s->scene) * (s->points[0] - 1) * (s->points[1] - 1);
 }
 
+/* Tells whether the sheet is sewn together or starts in space. */
+static bool is_sewn(const struct export_sheet *s)
+{
+    return s->mesh && s->mesh->flat.corner;
+}
+
+/* Puts the pattern of a garment, a place for each corner [m], and its faces. */
+static void put_pattern(const struct export_sheet *s, struct output *out)
+{
+    const struct mesh_flat *flat = &s->mesh->flat;
+
+    for (int n = 0; n < 3 * flat->triangles; n++)
+        output_print(out, "vt %.17g %.17g\n", flat->corner[n / 3][n % 3][0],
+                     flat->corner[n / 3][n % 3][1]);
+    for (int n = 0; n < flat->triangles; n++) {
+        const int *v = flat->triangle[n];
+        output_print(out, "f %d/%d %d/%d %d/%d\n", v[0] + 1, 3 * n + 1, v[1] + 1, 3 * n + 2,
+                     v[2] + 1, 3 * n + 3);
+    }
+}
+
 /* Write one file each. STATUS_MEMORY; output.h says what cannot be written. */
 static void export_mesh_obj(struct export_job *j, struct output *out)
 {
@@ -481,8 +522,10 @@ static void export_mesh_obj(struct export_job *j, struct output *out)
     int c[3];
 
     if (s->mesh)
-        output_print(out, "# %s at rest [m]; vt = u v; %d vertices\no sheet\n",
-                     s->scene->name, export_sheet_vertices(s));
+        output_print(out, "# %s at %s; %d vertices\no sheet\n", s->scene->name,
+                     is_sewn(s) ? "the start [m]; vt = the flat pattern [m]"
+                                : "rest [m]; vt = u v",
+                     export_sheet_vertices(s));
     else
         output_print(out,
                      "# %s at rest [m]; vt = u v; %d x %d vertices, u fastest\no sheet\n",
@@ -491,11 +534,13 @@ static void export_mesh_obj(struct export_job *j, struct output *out)
         export_sheet_vertex(s, n, uvw, x);
         output_print(out, "v %.17g %.17g %.17g\n", x[0], x[1], x[2]);
     }
-    for (int n = 0; n < export_sheet_vertices(s); n++) {
+    for (int n = 0; n < export_sheet_vertices(s) && !is_sewn(s); n++) {
         export_sheet_vertex(s, n, uvw, x);
         output_print(out, "vt %.17g %.17g\n", uvw[0], uvw[1]);
     }
-    for (int n = 0; n < export_mesh_triangles(s); n++) {
+    if (is_sewn(s))
+        put_pattern(s, out);
+    for (int n = 0; n < export_mesh_triangles(s) && !is_sewn(s); n++) {
         export_mesh_triangle(s, n, c);
         output_print(out, "f %d/%d %d/%d %d/%d\n", c[0] + 1, c[0] + 1, c[1] + 1, c[1] + 1,
                      c[2] + 1, c[2] + 1);
@@ -811,8 +856,8 @@ static void export_numbers_hinges(struct export_job *j, struct output *out)
     output_print(out, "a,b,c,d,stiffness\n");
     for (const struct mesh_edge *e = mesh->edge; e < mesh->edge + mesh->edges; e++) {
         const int *v = e->node;
-        const double *a = mesh->flat.at[v[0]], *b = mesh->flat.at[v[1]];
-        const double square = pow(b[0] - a[0], 2) + pow(b[1] - a[1], 2);
+        const double length = mesh_edge_length(mesh, (int)(e - mesh->edge));
+        const double square = length * length;
         const bool clamp = mesh->clamped[v[0]] && mesh->clamped[v[1]];
         double area[2] = {0};
         for (int k = 0; k < 2; k++)
@@ -1174,7 +1219,12 @@ static void put_title(const struct export_job *j, struct output *out)
                  "%s.\n\n",
                  g[0] + 0.0, g[1] + 0.0, g[2] + 0.0, scene_gamma(c), c->source);
     output_print(out, "SI units; x, y, z right-handed.");
-    for (int k = 0; k < scene_sheets(c); k++)
+    if (is_sewn(&j->sheet))
+        output_print(out, " The sheet is sewn of panels, or starts in space: `vt` of "
+                          "rest.obj is the flat pattern [m],\nwhich is without stress, "
+                          "`v` where it starts. Lengths, areas and shapes at rest are the "
+                          "pattern's.");
+    for (int k = 0; k < scene_sheets(c) && !is_sewn(&j->sheet); k++)
         put_corners(c, k, out);
     if (c->sheets > 1)
         output_print(
@@ -1239,8 +1289,10 @@ static void put_physics(const struct export_job *j, struct output *out)
     output_print(out, "## Physics of the truth\n\n");
     put_damping(c, j->undamped, j->known.closed && c->support_count, out);
     output_print(out,
-                 "- From t = 0 at rest in the rest shape%s, without stress; large "
+                 "- From t = 0 at rest%s%s; large "
                  "displacements; %s.\n",
+                 is_sewn(&j->sheet) ? ", with the stress of where it starts"
+                                    : " in the rest shape, without stress",
                  needs & SCENE_NEED_INITIAL_MOTION ? " but for velocities.csv [m/s]" : "",
                  !(needs & SCENE_NEED_SELF_CONTACT) ? "no self-contact"
                  : needs & SCENE_NEED_SHEETS

@@ -96,24 +96,35 @@ herr_t hdf5_file_put_meaning(hid_t set, struct hdf5_file_meaning meaning)
                : hdf5_file_put_text(set, "axes", meaning.axes);
 }
 
-herr_t hdf5_file_put_array(hid_t file, const char *name, struct hdf5_file_meaning meaning,
-                           const double *values, int rows, int columns)
+static herr_t put_array(hid_t file, const char *name, struct hdf5_file_meaning meaning,
+                        hid_t type, const void *values, int rows, int columns)
 {
     hsize_t size[2] = {(hsize_t)rows, (hsize_t)columns};
     hid_t space = H5Screate_simple(columns ? 2 : 1, size, NULL);
     hid_t links = H5Pcreate(H5P_LINK_CREATE);
     H5Pset_create_intermediate_group(links, 1);
-    hid_t set =
-        H5Dcreate2(file, name, H5T_NATIVE_DOUBLE, space, links, H5P_DEFAULT, H5P_DEFAULT);
+    hid_t set = H5Dcreate2(file, name, type, space, links, H5P_DEFAULT, H5P_DEFAULT);
     herr_t result = set < 0 ? -1 : hdf5_file_put_meaning(set, meaning);
 
     if (result >= 0 && rows > 0)
-        result = H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values);
+        result = H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values);
     if (set >= 0 && H5Dclose(set) < 0)
         result = -1;
     H5Pclose(links);
     H5Sclose(space);
     return result;
+}
+
+herr_t hdf5_file_put_array(hid_t file, const char *name, struct hdf5_file_meaning meaning,
+                           const double *values, int rows, int columns)
+{
+    return put_array(file, name, meaning, H5T_NATIVE_DOUBLE, values, rows, columns);
+}
+
+herr_t hdf5_file_put_whole(hid_t file, const char *name, struct hdf5_file_meaning meaning,
+                           const int *values, int rows, int columns)
+{
+    return put_array(file, name, meaning, H5T_NATIVE_INT, values, rows, columns);
 }
 
 void hdf5_file_drop(hid_t id)

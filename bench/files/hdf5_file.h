@@ -34,6 +34,10 @@ herr_t hdf5_file_put_meaning(hid_t set, struct hdf5_file_meaning meaning);
 herr_t hdf5_file_put_array(hid_t file, const char *name, struct hdf5_file_meaning meaning,
                            const double *values, int rows, int columns);
 
+/* Does so with whole numbers. */
+herr_t hdf5_file_put_whole(hid_t file, const char *name, struct hdf5_file_meaning meaning,
+                           const int *values, int rows, int columns);
+
 /* Releases any identifier of the library's; an invalid one is allowed. */
 void hdf5_file_drop(hid_t id);
 

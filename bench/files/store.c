@@ -50,6 +50,7 @@ struct store {
     struct atomic_file target;
     hid_t file, xyz;
     int frames, fields;
+    struct xdmf_surface surface; /* no triangles: none                                */
     double *series[SERIES]; /* [frames] each, written at the end                         */
     struct arena arena;     /* of these                                           owned  */
     int sheets;
@@ -288,6 +289,32 @@ enum status store_frame(struct store *s, double t, const double *xyz,
     return STATUS_OK;
 }
 
+enum status store_surface(struct store *s, int points, const double *uv, int count,
+                          const int (*triangle)[3], struct message *why)
+{
+    s->surface = (struct xdmf_surface){points, count};
+    return written(s,
+                   hdf5_file_put_whole(s->file, "surface/triangle",
+                                       (struct hdf5_file_meaning){"1", "triangle, corner"},
+                                       triangle[0], count, 3) >= 0 &&
+                       hdf5_file_put_array(s->file, "surface/uv",
+                                           (struct hdf5_file_meaning){"1", "point, u v"},
+                                           uv, points, 2) >= 0,
+                   why);
+}
+
+enum status store_surface_frame(struct store *s, const double *xyz, struct message *why)
+{
+    char name[64];
+
+    snprintf(name, sizeof name, "surface/%d", s->fields - 1);
+    return written(s,
+                   hdf5_file_put_array(s->file, name,
+                                       (struct hdf5_file_meaning){"m", "point, component"},
+                                       xyz, s->surface.points, 3) >= 0,
+                   why);
+}
+
 enum status store_seconds(struct store *s, const char *phase, const double *seconds,
                           int rows, int columns, struct message *why)
 {
@@ -425,7 +452,7 @@ enum status store_close(struct store *s, struct message *why)
     TRY(seal_write(s->target.temporary, why));
     TRY(atomic_file_commit(&s->target, why));
     if (s->fields)
-        TRY(xdmf_write(path, s->sheets, s->series[0], s->fields, why));
+        TRY(xdmf_write(path, s->sheets, &s->surface, s->series[0], s->fields, why));
 out:
     store_discard(s);
     return st;

@@ -22,6 +22,10 @@
  *   xyz               [K][w 2][v 100][u 100][3]    double [m] (or float, if asked for)
  *   xyz_time          [K]                          double [s]
  *   frame/0, frame/1, ...                          views of xyz[0], xyz[1], for XDMF
+ *   surface/triangle  [T][3]                       int, of a sheet that is no rectangle:
+ *                     triangles of its mid-surface, for pictures, with their points' places
+ *   surface/uv        [N][2]                       double [1] on the sheet, and in space,
+ *   surface/0, surface/1, ...  [N][3]              double [m], at xyz_time[0], xyz_time[1]
  *   energy/kinetic, energy/elastic, energy/potential   [F]   double [J], NaN if not known
  *   counters/steps, ...                            [F]   work done up to the frame
  *   metrics/NAME      [F]                          double
@@ -69,6 +73,13 @@ enum status store_try(const char *path, struct message *why);
  * store_close or store_discard in the end. */
 enum status store_create(const char *path, const struct store_run *run,
                          struct store **store, struct message *why);
+
+/* Adds the triangles[count] of a surface of `points` points at uv[points][2], which are
+ * borrowed until the end; and, after each frame with a field, their positions. */
+enum status store_surface(struct store *store, int points, const double *uv, int count,
+                          const int (*triangle)[3], struct message *why);
+enum status store_surface_frame(struct store *store, const double *xyz,
+                                struct message *why);
 
 /* Appends a frame: field xyz (grid.h) at time t; NULL: a frame without its field, as
  * numbers alone. energy and counters may be NULL: NaN and zeros are stored. */

@@ -7,22 +7,47 @@
 #include "bench/files/output.h"
 #include "models/grid.h"
 
-/* Prints the positions' reference; it has the result file's name as XML text, without its
- * folder: XDMF looks in its own. */
-static void print_field(struct output *out, const char *path, int frame)
+/* Prints the name of a dataset in the result file, whose own is given as XML text, without
+ * its folder: XDMF looks in its own. */
+static void print_name(struct output *out, const char *path)
 {
     const char *slash = strrchr(path, '/');
 
-    output_print(out,
-                 "<DataItem Dimensions=\"%d %d %d 3\" NumberType=\"Float\" "
-                 "Precision=\"8\" Format=\"HDF\">",
-                 GRID_W, GRID_V, GRID_U);
     for (const char *c = slash ? slash + 1 : path; *c; c++)
         if (*c == '&' || *c == '<')
             output_print(out, *c == '&' ? "&amp;" : "&lt;");
         else
             output_print(out, "%c", *c);
+}
+
+static void print_field(struct output *out, const char *path, int frame)
+{
+    output_print(out,
+                 "<DataItem Dimensions=\"%d %d %d 3\" NumberType=\"Float\" "
+                 "Precision=\"8\" Format=\"HDF\">",
+                 GRID_W, GRID_V, GRID_U);
+    print_name(out, path);
     output_print(out, ":/frame/%d</DataItem>\n", frame);
+}
+
+/* Prints a frame's triangles. */
+static void print_surface(struct output *out, const char *path,
+                          const struct xdmf_surface *surface, int frame, double time)
+{
+    output_print(out,
+                 "<Grid Name=\"sheet\" GridType=\"Uniform\">\n<Time Value=\"%.17g\"/>\n"
+                 "<Topology TopologyType=\"Triangle\" NumberOfElements=\"%d\">"
+                 "<DataItem Dimensions=\"%d 3\" NumberType=\"Int\" Precision=\"4\" "
+                 "Format=\"HDF\">",
+                 time, surface->triangles, surface->triangles);
+    print_name(out, path);
+    output_print(out,
+                 ":/surface/triangle</DataItem></Topology>\n<Geometry "
+                 "GeometryType=\"XYZ\"><DataItem Dimensions=\"%d 3\" NumberType=\"Float\" "
+                 "Precision=\"8\" Format=\"HDF\">",
+                 surface->points);
+    print_name(out, path);
+    output_print(out, ":/surface/%d</DataItem></Geometry>\n</Grid>\n", frame);
 }
 
 /* The result file, and a sheet's columns of it. */
@@ -77,7 +102,8 @@ static void print_frame(struct output *out, const char *path, int sheets, int fr
     output_print(out, "%s", sheets > 1 ? "</Grid>\n" : "");
 }
 
-enum status xdmf_write(const char *result_path, int sheets, const double *time, int frames,
+enum status xdmf_write(const char *result_path, int sheets,
+                       const struct xdmf_surface *surface, const double *time, int frames,
                        struct message *why)
 {
     const size_t length = strlen(result_path);
@@ -91,7 +117,10 @@ enum status xdmf_write(const char *result_path, int sheets, const double *time, 
                       "<Grid Name=\"run\" GridType=\"Collection\" "
                       "CollectionType=\"Temporal\">\n");
     for (int frame = 0; frame < frames; frame++)
-        print_frame(out, result_path, sheets, frame, time[frame]);
+        if (surface->triangles)
+            print_surface(out, result_path, surface, frame, time[frame]);
+        else
+            print_frame(out, result_path, sheets, frame, time[frame]);
     output_print(out, "</Grid>\n</Domain>\n</Xdmf>\n");
     return output_close(&out, why);
 }

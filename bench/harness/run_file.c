@@ -8,6 +8,7 @@
 #include "bench/files/store.h"
 #include "bench/harness/distrust.h"
 #include "bench/harness/looks.h"
+#include "bench/harness/run_surface.h"
 #include "bench/harness/warnings.h"
 #include "models/clock.h"
 #include "models/grid.h"
@@ -21,9 +22,10 @@ struct run_file {
     struct store *store;  /* NULL: none                                              */
     struct arena fields;  /* of the two, until the looks end                  owned   */
     double *xyz, *before; /* this look's field and the last one's                    */
-    double *truth;        /* [LOOKS_TRUTH][looks' room]; NULL: none is known         */
-    int next;             /* of keep->time                                           */
-    bool waits;           /* xyz is of a frame that is no look, at:                  */
+    struct run_surface surface; /* of xyz, where there is a file                  owned  */
+    double *truth; /* [LOOKS_TRUTH][looks' room]; NULL: none is known         */
+    int next;      /* of keep->time                                           */
+    bool waits;    /* xyz is of a frame that is no look, at:                  */
     double time;
     struct energy energy; /* NaN: the model has none                               */
     double load;          /* carried by obstacles, over the weight */
@@ -44,6 +46,7 @@ void run_file_discard(struct run_file *f)
         return;
     store_discard(f->store);
     looks_clear(&f->looks);
+    run_surface_clear(&f->surface);
     arena_clear(&f->fields);
     arena_clear(&f->arena);
     free(f);
@@ -66,7 +69,8 @@ static enum status open_store(struct run_file *f, struct message *why)
         CALL(store_text(f->store, "made_for", f->keep->made_for, why));
     if (f->keep->quick)
         CALL(store_text(f->store, "quick", "yes", why));
-    return STATUS_OK;
+    CALL(run_surface_init(&f->surface, &run->scene));
+    return run_surface_begin(&f->surface, &run->scene, f->store, why);
 }
 
 enum status run_file_open(const struct run *run, const struct run_keep *keep,
@@ -117,7 +121,7 @@ static double load_of(const struct run *run, const struct model_contact *c)
     if (!(pull > 0))
         return NAN;
     return -vector_dot(c->force, g) /
-           (pull * pull * s->density * s->length * s->width * s->thickness);
+           (pull * pull * s->density * scene_area(s) * s->thickness);
 }
 
 /* Samples the present state, since a frame may turn out to be a look only after the state
@@ -127,6 +131,7 @@ static void sample(struct run_file *f, double time, const struct counters *work)
     const struct run *run = f->run;
 
     model_sample(run->model, run->state, f->xyz);
+    run_surface_sample(&f->surface, run->model, run->state);
     f->energy = (struct energy){NAN, NAN, NAN};
     if (run->model->energy)
         run->model->energy(run->state, &f->energy);
@@ -151,6 +156,8 @@ static enum status take(struct run_file *f, bool field, struct message *why)
     if (f->store)
         st = store_frame(f->store, f->time, field ? f->xyz : NULL, &f->energy, &f->work,
                          why);
+    if (f->store && field && st == STATUS_OK)
+        st = run_surface_store(&f->surface, f->store, why);
     double *swap = f->before;
     f->before = f->xyz, f->xyz = swap;
     return st;

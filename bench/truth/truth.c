@@ -232,8 +232,8 @@ void truth_doubt(const struct scene *scene, struct truth *t)
                  "%s is not resolved from %.3g s on: there %s and %s are %.2g %% of "
                  "the length apart, and their own bars are %.2g %% and %.2g %%.",
                  scene->name, t->time[n],
-                 truth_level_word(TRUTH_SOLID, scene->pattern, TRUTH_FORM_WORD),
-                 truth_level_word(TRUTH_SHELL, scene->pattern, TRUTH_FORM_WORD),
+                 truth_level_word(TRUTH_SOLID, truth_plan_net(scene), TRUTH_FORM_WORD),
+                 truth_level_word(TRUTH_SHELL, truth_plan_net(scene), TRUTH_FORM_WORD),
                  percent * t->value[n][TRUTH_DIFFERENCE],
                  percent * t->value[n][TRUTH_SOLID_BAR],
                  percent * t->value[n][TRUTH_SHELL_BAR]);

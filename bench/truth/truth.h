@@ -27,6 +27,10 @@
  * solver, nothing of their mechanics. */
 enum truth_model { TRUTH_SOLID, TRUTH_SHELL, TRUTH_MODELS };
 
+/* What stands for solid and shell: these themselves, or, of a sheet that is no rectangle,
+ * triangles of two kinds; on two meshes of an outline, or on the scene's own triangles. */
+enum truth_net { TRUTH_SPLINES, TRUTH_MESHES, TRUTH_OWN_MESH };
+
 /* One run: a net with a step. */
 struct truth_level {
     enum truth_model model;
@@ -34,7 +38,8 @@ struct truth_level {
     double step;      /* [s]                                                           */
     bool perturbed;   /* by TRUTH_PERTURBATION                                         */
     int repeats;      /* of the points, for knots that repeat at supports' ends        */
-    bool meshed;      /* of a sheet with an outline: triangles stand for solid and shell */
+    enum truth_net net;
+    int refine; /* of its own triangles: how often each is cut into four               */
 };
 
 const struct contestant *truth_level_contestant(const struct truth_level *level);

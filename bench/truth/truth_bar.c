@@ -314,12 +314,11 @@ void truth_bar_level(const struct truth_level *l, bool own, char text[TRUTH_BAR_
 {
     char degree[16] = "";
 
-    if (!l->meshed)
+    if (!l->net)
         snprintf(degree, sizeof degree, "p = %d, ", l->degree);
-    snprintf(
-        text, TRUTH_BAR_LEVEL, "%s, %s%dx%d, %s%.4g ms",
-        truth_level_word(l->model, l->meshed, own ? TRUTH_FORM_WHOLE : TRUTH_FORM_OTHER),
-        degree, l->side, l->side, own ? "step " : "", 1e3 * l->step);
+    snprintf(text, TRUTH_BAR_LEVEL, "%s, %s%dx%d, %s%.4g ms",
+             truth_level_word(l->model, l->net, own ? TRUTH_FORM_WHOLE : TRUTH_FORM_OTHER),
+             degree, l->side, l->side, own ? "step " : "", 1e3 * l->step);
 }
 
 void truth_bar_horizon(const struct truth_push *push, bool blunt, int count,
@@ -340,6 +339,6 @@ void truth_bar_horizon(const struct truth_push *push, bool blunt, int count,
              lost && blunt ? "on a net too coarse to know the motion, which says nothing"
              : lost        ? "from there on the motion cannot be predicted"
                            : "so long the motion can be predicted",
-             truth_level_word(level->model, level->meshed, TRUTH_FORM_WORD), level->side,
+             truth_level_word(level->model, level->net, TRUTH_FORM_WORD), level->side,
              level->side, 1e3 * level->step);
 }

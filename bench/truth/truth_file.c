@@ -47,6 +47,8 @@ static void print_supports(const struct scene *s, FILE *out)
         fprintf(out, "support fix %u\n", support->fix);
         print(out, "support from", 3, support->lo);
         print(out, "support to", 3, support->hi);
+        if (support->part_count)
+            print(out, "support part", 6 * support->part_count, support->part[0][0]);
         print_motion(&support->motion, "support", out);
     }
 }
@@ -124,6 +126,8 @@ enum status truth_physics(const struct scene *s, char **text)
     for (int k = 0; s->pattern && k < s->pattern->lines; k++)
         print(out, "line", 2 * (s->pattern->line[k + 1] - s->pattern->line[k]),
               s->pattern->at[s->pattern->line[k]]);
+    if (pattern_starts_in_space(s->pattern))
+        fprintf(out, "sewn %llx\n", pattern_sum(s->pattern));
     fprintf(out, "shape %s\n", scene_shape_words[s->shape]);
     if (s->shape == SCENE_CLOAK)
         print(out, "cloak", 2, (double[]){s->opening, s->flare});

@@ -11,16 +11,19 @@ enum { PATH = 4096 };
 
 static const double EARTH = 9.81; /* [m/s^2] */
 
-const char *truth_level_word(enum truth_model model, bool meshed, enum truth_form form)
+const char *truth_level_word(enum truth_model model, enum truth_net net,
+                             enum truth_form form)
 {
-    static const char *const word[2][TRUTH_MODELS][3] = {
+    static const char *const word[][TRUTH_MODELS][3] = {
         {{"selective solid, cured of locking", "selective solid", "solid"},
          {"Kirchhoff-Love shell, cured of locking", "cured Kirchhoff-Love shell", "shell"}},
         {{"triangles with turns at mid-edges", "triangles with turns", "turns"},
          {"triangles with slopes at edges, on another mesh", "triangles with slopes",
-          "slopes"}}};
+          "slopes"}},
+        {{"triangles with turns at mid-edges", "triangles with turns", "turns"},
+         {"triangles with slopes at edges", "triangles with slopes", "slopes"}}};
 
-    return word[meshed][model][form];
+    return word[net][model][form];
 }
 
 const struct contestant *truth_level_contestant(const struct truth_level *level)
@@ -28,7 +31,7 @@ const struct contestant *truth_level_contestant(const struct truth_level *level)
     static const char *const name[] = {"iga_selective_3", "shell_selective_3"};
     const struct contestant *c = NULL;
     const enum status st =
-        contestant_find(level->meshed ? "triangles" : name[level->model], &c, NULL);
+        contestant_find(level->net ? "triangles" : name[level->model], &c, NULL);
 
     assert(st == STATUS_OK);
     (void)st;
@@ -60,18 +63,24 @@ enum status truth_level_settings(const struct truth_runs *runs,
 {
     const struct contestant *c = truth_level_contestant(level);
     const int degree[] = {level->degree, level->degree, 1};
-    static const char *const meshed[][TRUTH_MODELS] = {
-        {"discretization.mesh=irregular", "discretization.mesh=irregular"},
-        {"discretization.bending=midedge", "discretization.bending=quadratic"},
-        {"discretization.seed=0", "discretization.seed=1"}};
+    static const char *const bending[TRUTH_MODELS] = {"discretization.bending=midedge",
+                                                      "discretization.bending=quadratic"},
+                             *const seed[TRUTH_MODELS] = {"discretization.seed=0",
+                                                          "discretization.seed=1"};
 
     settings_append(settings, runs->settings);
     contestant_settings(c, settings);
     contestant_points(c, level->side, level->side, settings);
-    if (!level->meshed)
+    if (level->net == TRUTH_SPLINES)
         settings_integers(settings, "discretization.degree", c->layers ? 3 : 2, degree);
-    for (size_t n = 0; level->meshed && n < sizeof meshed / sizeof *meshed; n++)
-        settings_set(settings, meshed[n][level->model]);
+    if (level->net != TRUTH_SPLINES)
+        settings_set(settings, bending[level->model]);
+    if (level->net == TRUTH_MESHES) {
+        settings_set(settings, "discretization.mesh=irregular");
+        settings_set(settings, seed[level->model]);
+    }
+    if (level->net == TRUTH_OWN_MESH)
+        settings_number(settings, "discretization.refine", level->refine);
     settings_number(settings, "time.step", level->step);
     return level->perturbed ? push(runs->path, runs->settings, settings, why) : STATUS_OK;
 }
@@ -126,7 +135,7 @@ static enum status read_level(const struct truth_runs *runs,
     run->scene.end = runs->time[runs->times - 1];
     c->until = runs->until;
     snprintf(name, sizeof name, "truth_%s_p%d_%d_%ldus%s",
-             level->meshed ? truth_level_word(level->model, true, TRUTH_FORM_WORD)
+             level->net ? truth_level_word(level->model, level->net, TRUTH_FORM_WORD)
              : level->model == TRUTH_SOLID ? "selective"
                                            : "cured",
              level->degree, level->side, lround(1e6 * level->step),

@@ -7,6 +7,7 @@
 #include "bench/truth/truth_making.h"
 #include "iga/support_knots.h"
 #include "models/metric/metric.h"
+#include "models/pattern.h"
 
 /* --- Times, nets and steps --- */
 
@@ -68,6 +69,31 @@ static bool fits(const struct scene *scene, int spans)
     return good;
 }
 
+enum truth_net truth_plan_net(const struct scene *scene)
+{
+    const struct pattern *p = scene->pattern;
+
+    return !p ? TRUTH_SPLINES : p->mesh.nodes ? TRUTH_OWN_MESH : TRUTH_MESHES;
+}
+
+/* Gives the scene's own triangles, cut k times into four; the points of a net of a square
+ * with as many triangles stand for how fine they are. */
+static bool own_rung(const struct pattern *p, double frame, int k,
+                     struct truth_level *level)
+{
+    enum { MOST = 400000 };
+    const double triangles = ldexp(p->mesh.triangles, 2 * k);
+
+    if (triangles > MOST)
+        return false;
+    *level = (struct truth_level){.degree = 1,
+                                  .side = 1 + (int)lround(sqrt(triangles / 2)),
+                                  .step = ldexp(frame, -1 - k),
+                                  .net = TRUTH_OWN_MESH,
+                                  .refine = k};
+    return true;
+}
+
 /* Gives the k-th mesh and step: three triangles a side where splines have a span. */
 static bool mesh_rung(double frame, const int *sizes, int count, int k,
                       struct truth_level *level)
@@ -77,7 +103,7 @@ static bool mesh_rung(double frame, const int *sizes, int count, int k,
     *level = (struct truth_level){.degree = 1,
                                   .side = 9 * sizes[k + 1] + 1,
                                   .step = frame / sizes[k + 1],
-                                  .meshed = true};
+                                  .net = TRUTH_MESHES};
     return true;
 }
 
@@ -89,6 +115,8 @@ bool truth_plan_rung(const struct scene *scene, double frame, int k,
     enum { DEGREE = 3, LEAST = 6, SIZES = sizeof sizes / sizeof *sizes };
     int unit = 3, first = 0, repeats = 0;
 
+    if (truth_plan_net(scene) == TRUTH_OWN_MESH)
+        return own_rung(scene->pattern, frame, k, level);
     if (scene->pattern) /* triangles, of which a span needs three a side */
         return mesh_rung(frame, sizes, SIZES, k, level);
     for (int i = 0; i < 2; i++)
@@ -186,7 +214,7 @@ struct truth_outlook truth_make_look(const struct truth_family family[TRUTH_MODE
 {
     static const int bar[TRUTH_MODELS] = {TRUTH_SOLID_BAR, TRUTH_SHELL_BAR};
     const double length = scene->length;
-    struct truth_outlook o = {.meshed = scene->pattern};
+    struct truth_outlook o = {.net = truth_plan_net(scene)};
     struct truth_level next;
     bool met = true;
 
@@ -285,7 +313,7 @@ static void tell(const struct truth_wish *wish, const struct truth_outlook *o,
             text, TRUTH_END_TEXT,
             "after %.3g s the bar is %.2g %%, and %.3g %% was requested; next%s: the %s",
             o->spent, found, wanted, met ? ", to see whether it stays so" : "",
-            truth_level_word(next, o->meshed, TRUTH_FORM_WORD));
+            truth_level_word(next, o->net, TRUTH_FORM_WORD));
         break;
     case TRUTH_LOST:
         snprintf(text, TRUTH_END_TEXT,
@@ -297,11 +325,11 @@ static void tell(const struct truth_wish *wish, const struct truth_outlook *o,
         snprintf(text, TRUTH_END_TEXT,
                  "no: %s and %s differ by %.2g %%, and their own bars, %.2g %% and "
                  "%.2g %%, do not explain it%s; %s",
-                 truth_level_word(TRUTH_SOLID, o->meshed, TRUTH_FORM_WORD),
-                 truth_level_word(TRUTH_SHELL, o->meshed, TRUTH_FORM_WORD),
+                 truth_level_word(TRUTH_SOLID, o->net, TRUTH_FORM_WORD),
+                 truth_level_word(TRUTH_SHELL, o->net, TRUTH_FORM_WORD),
                  100 * o->difference, 100 * o->model[TRUTH_SOLID].bar,
                  100 * o->model[TRUTH_SHELL].bar,
-                 o->meshed ? "" : ": this thickness makes them two sheets", known);
+                 o->net ? "" : ": this thickness makes them two sheets", known);
         break;
     case TRUTH_DEAR:
         snprintf(text, TRUTH_END_TEXT,

@@ -29,7 +29,11 @@ enum status truth_level_settings(const struct truth_runs *runs,
 
 /* Names a model, with what frees it of locking, without, and in a word. */
 enum truth_form { TRUTH_FORM_WHOLE, TRUTH_FORM_OTHER, TRUTH_FORM_WORD };
-const char *truth_level_word(enum truth_model model, bool meshed, enum truth_form form);
+const char *truth_level_word(enum truth_model model, enum truth_net net,
+                             enum truth_form form);
+
+/* Returns what stands for solid and shell in a scene. */
+enum truth_net truth_plan_net(const struct scene *scene);
 
 /* Reads the level's file with its fields, if it is whole, has these times (and perhaps
  * later ones) and was made for these physics and settings of the discretization by these
@@ -125,7 +129,7 @@ struct truth_outlook {
     bool outlived;     /* the bars said the same before the last run, and that run moved the
                           truth by no more than the bar that it had                         */
     double spent;      /* by all runs [s]                                              */
-    bool meshed;       /* truth_level                                                  */
+    enum truth_net net; /* truth_level                                                  */
 };
 
 enum truth_answer {

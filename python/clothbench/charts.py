@@ -228,11 +228,12 @@ def shaded(corners, colour):
     return np.clip(base * (0.62 + 0.45 * light) + 85 * light ** 3, 0, 255).astype(int)
 
 def sheets(fields):
-    """A picture each of fields [(colour, xyz [sheet, v, u, 3], (planes, bodies))], in one view and
+    """A picture each of fields [(colour, faces [n, 4, 3], (planes, bodies))], in one view and
     scale; the sheets are whole in it, and bodies as far as they are near. NaN is beside a sheet."""
     from PIL import Image, ImageDraw
-    fields = [(colour, xyz if not np.isinf(xyz).any() else xyz[:0], around) for colour, xyz, around in fields]
-    flat = [seen(xyz[np.isfinite(xyz).all(-1)])[..., :2] for _, xyz, _ in fields if np.isfinite(xyz).any()]
+    fields = [(colour, faces[np.isfinite(faces).all((1, 2))] if not np.isinf(faces).any() else faces[:0], around)
+              for colour, faces, around in fields]
+    flat = [seen(faces)[..., :2].reshape(-1, 2) for _, faces, _ in fields if len(faces)]
     if not flat:
         return []
     low, high = np.concatenate(flat).min(0), np.concatenate(flat).max(0)
@@ -244,9 +245,7 @@ def sheets(fields):
     unit = max((high - low)[0] / (WIDTH - 12), (high - low)[1] / (HEIGHT - 12), 1e-9)
     size = [int(n) for n in np.ceil((high - low) / unit) + 12]
     made = []
-    for colour, xyz, (planes, solids) in fields:
-        sheet = np.concatenate([bodies.quads(one) for one in xyz] or [np.zeros((0, 4, 3))])
-        sheet = sheet[np.isfinite(sheet).all((1, 2))]
+    for colour, sheet, (planes, solids) in fields:
         corners = np.concatenate([planes, solids, sheet])
         plane = seen(corners)
         at = 2 * ((plane[:, :, :2] - low) / unit + 6)  # twice as fine, for smooth edges
@@ -273,9 +272,9 @@ def points_of(runs):
 def pictures_of(runs):
     """Those of the frames of runs of a scene, one after the other."""
     flat = points_of(runs)
-    return sheets([(colour_of(run.model), xyz, bodies.surfaces(run.bodies, t, flat.min(0), flat.max(0)))
-                   for run in runs for t, xyz, good in zip(run.time, run.xyz, run.is_good())
-                   for xyz in ([xyz] if good else [xyz[:0]])])
+    return sheets([(colour_of(run.model), run.faces(n)[:None if good else 0],
+                    bodies.surfaces(run.bodies, run.time[n], flat.min(0), flat.max(0)))
+                   for run in runs for n, good in enumerate(run.is_good())])
 
 def row_of(pictures, words):
     """One picture of several, side by side, with words below each."""

@@ -424,10 +424,12 @@ def motions_of(top):
         flat = charts.points_of([r for r in runs if r.scene == run.scene])
         middle = (flat.min(0) + flat.max(0)) / 2
         scale = np.abs(flat - middle).max() * 1.25 or 1
-        xyz = run.side_by_side()[run.is_good()]
+        shown = run.side_by_side() if run.surface is None else run.surface[:, None]
+        xyz = shown[run.is_good()]
         made.append({"name": f"{run.scene}, {run.name}".replace("_", " "), "colour": charts.colour_of(run.model),
                      "time": [t for t, is_good in zip(run.time, run.is_good()) if is_good],
                      "rows": xyz.shape[1], "columns": xyz.shape[2],
+                     "triangles": [] if run.surface is None else run.triangle.tolist(),
                      "cut": run.xyz.shape[3] if run.xyz.shape[1] > 1 else 0,
                      "data": base64.b64encode(
                          np.nan_to_num(32767 * np.clip((xyz - middle) / scale, -1, 1), nan=-32768)

@@ -150,7 +150,8 @@ def tables(path):
 @dataclass
 class Run:
     """Positions xyz[frame, sheet, v, u, component] [m] of mid-surfaces at time[frame] [s]; of a
-    truth its error bar [m] at these times."""
+    truth its error bar [m] at these times. A sheet that is no rectangle has, besides, points
+    surface[frame, point, component] of triangle[triangle, corner]."""
     name: str
     scene: str
     model: str
@@ -162,10 +163,18 @@ class Run:
     note: str
     bodies: list
     facts: dict
+    surface: object = None
+    triangle: object = None
 
     def side_by_side(self):
         """Positions [frame, v, u, component]: all sheets as one, beside each other along u."""
         return self.xyz.swapaxes(1, 2).reshape(len(self.xyz), self.xyz.shape[2], -1, 3)
+
+    def faces(self, frame):
+        """The corners [face, corner, component] of what is drawn of a frame: four, or three and the last again."""
+        if self.surface is None:
+            return numpy.concatenate([bodies.quads(one) for one in self.xyz[frame]])
+        return self.surface[frame][self.triangle[:, [0, 1, 2, 2]]]
 
     def is_good(self):
         """Of each frame, whether all of its numbers are finite, but for places beside a sheet that is no
@@ -247,12 +256,23 @@ def _run(path, file, most, times, step):
         step = 1
     middle = numpy.array([xyz[n, :, ::step].mean(0) for n in frames])
     middle = numpy.stack([middle[:, :, s * width:(s + 1) * width:step] for s in range(sheets)], 1)
+    triangle, surface = numbers(path, file, "surface/triangle"), None
+    if triangle is not None:
+        surface = [numbers(path, file, f"surface/{n}") for n in frames]
+        count = len(surface[0]) if surface[0] is not None else 0
+        if (triangle.ndim != 2 or triangle.shape[1] != 3 or triangle.dtype.kind not in "iu" or
+                any(s is None or s.shape != (count, 3) for s in surface)):
+            raise Bad(f"{path}: its surface is no triangles with points at each time")
+        triangle, surface = triangle[:].astype(int), numpy.stack([s[:] for s in surface])
+        if triangle.min() < 0 or triangle.max() >= count:
+            raise Bad(f"{path}: its triangles name points that its surface has not")
     triangles = {n: found[:].reshape(-1, 3, 3) for n in range(64)
                  if (found := numbers(path, file, f"obstacle_{n}")) is not None}
     return Run(path.stem, text("scene_name"), text("model"), text("model_title"),
                float(file.attrs.get("length", 1)), [float(time[n]) for n in frames], middle,
                [] if bar is None else [float(bar[n]) for n in frames if n < len(bar)], text("note"),
-               bodies.of_scene(text("scene"), triangles), facts(text("discretization"), text("scene")))
+               bodies.of_scene(text("scene"), triangles), facts(text("discretization"), text("scene")),
+               surface, triangle)
 
 def facts(discretization, scene):
     """{key: words} of what a run was made with; settings stand below the scene, and the last one holds."""

@@ -78,7 +78,7 @@ def test_charts_of_plans_and_maps(tmp_path):
 def test_pictures_show_what_moves():
     flat = np.stack(np.meshgrid([0, 1, 2.0], [0, 1, 2.0], [0]), -1)[None, :, :, 0]
     none = np.zeros((2, 0, 4, 3))
-    first, other, gone = charts.sheets([("#3a9bdc", flat * k + [0, 0, z], none)
+    first, other, gone = charts.sheets([("#3a9bdc", bodies.quads(flat[0]) * k + [0, 0, z], none)
                                         for k, z in ((1, 0), (np.array([1, 1, 0]), 1), (math.nan, 0))])
     assert len({first, other, gone}) == 3 and len(gone) < len(first)
 
@@ -129,7 +129,7 @@ def test_bodies_of_a_scene_lie_where_they_are():
 
 def test_pictures_show_bodies():
     flat = np.stack(np.meshgrid([0, 1, 2.0], [0, 1, 2.0], [0]), -1)[None, :, :, 0]
-    made = {charts.sheets([("#3a9bdc", flat, bodies.surfaces(bodies.of_scene(text, {}), t, np.zeros(3), np.ones(3)))])[0]
+    made = {charts.sheets([("#3a9bdc", bodies.quads(flat[0]), bodies.surfaces(bodies.of_scene(text, {}), t, np.zeros(3), np.ones(3)))])[0]
             for text in ("", SCENE, SCENE.replace("radius: 0.3", "radius: 0.2")) for t in (0, 0.5)}
     assert len(made) == 5  # without bodies nothing moves
 

@@ -332,6 +332,8 @@ static void test_reading_what_is_none(void)
 
 /* A grid a frame with its own time and field, the first field as its start, in a file
  * beside the result whose name is XML. */
+static const struct xdmf_surface no_surface;
+
 static void test_xdmf(void)
 {
     static const struct {
@@ -345,7 +347,8 @@ static void test_xdmf(void)
 
     REQUIRE(chdir(scratch) == 0);
     for (size_t k = 0; k < sizeof want / sizeof *want; k++) {
-        REQUIRE(xdmf_write(want[k].result, 1, time, FRAMES, NULL) == STATUS_OK);
+        REQUIRE(xdmf_write(want[k].result, 1, &no_surface, time, FRAMES, NULL) ==
+                STATUS_OK);
         char *text = fresh_text(".", want[k].path);
         CHECK(fresh_count(text, "<Grid ") == 1 + FRAMES);
         CHECK(fresh_count(text, "</Grid>") == 1 + FRAMES);
@@ -367,7 +370,7 @@ static void test_xdmf_sheets(void)
     enum { SHEETS = 3 };
     static const double time[FRAMES] = {0, 0.1, 0.2};
 
-    REQUIRE(xdmf_write("sheets.h5", SHEETS, time, FRAMES, NULL) == STATUS_OK);
+    REQUIRE(xdmf_write("sheets.h5", SHEETS, &no_surface, time, FRAMES, NULL) == STATUS_OK);
     char *text = fresh_text(".", "sheets.xdmf");
     CHECK(fresh_count(text, "<Grid ") == 1 + FRAMES * (1 + SHEETS));
     CHECK(fresh_count(text, "</Grid>") == 1 + FRAMES * (1 + SHEETS));

@@ -1,0 +1,80 @@
+#include "bench/harness/run_surface.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "models/pattern.h"
+#include "models/pattern_mesh.h"
+
+/* Triangles along the longer side of an outline that has none of its own. */
+enum { ALONG = 60 };
+
+void run_surface_clear(struct run_surface *s)
+{
+    mesh_flat_clear(&s->flat);
+    free(s->uvw);
+    free(s->xyz);
+    memset(s, 0, sizeof *s);
+}
+
+static enum status copy_triangles(const struct mesh_flat *from, struct mesh_flat *to)
+{
+    const enum status st = mesh_flat_make(to, from->nodes, from->triangles);
+
+    if (st != STATUS_OK)
+        return st;
+    to->nodes = from->nodes, to->triangles = from->triangles;
+    memcpy(to->at, from->at, (size_t)from->nodes * sizeof *from->at);
+    memcpy(to->triangle, from->triangle, (size_t)from->triangles * sizeof *from->triangle);
+    return STATUS_OK;
+}
+
+enum status run_surface_init(struct run_surface *s, const struct scene *scene)
+{
+    const double size[2] = {scene->length, scene->width};
+    enum status st = STATUS_OK;
+    struct run_surface new = {.flat = {0}};
+
+    if (!scene->pattern)
+        return st;
+    TRY(scene->pattern->mesh.nodes
+            ? copy_triangles(&scene->pattern->mesh, &new.flat)
+            : pattern_mesh(scene, fmax(size[0], size[1]) / ALONG, 0, &new.flat));
+    new.uvw = malloc(3 * (size_t) new.flat.nodes * sizeof *new.uvw);
+    new.xyz = calloc(3 * (size_t) new.flat.nodes, sizeof *new.xyz);
+    TRY(new.uvw &&new.xyz ? STATUS_OK : STATUS_MEMORY);
+    for (int n = 0; n < 3 * new.flat.nodes; n++)
+        new.uvw[n] = n % 3 == 2 ? 0.5 : new.flat.at[n / 3][n % 3] / size[n % 3];
+    HAND_OVER(s, new);
+out:
+    run_surface_clear(&new);
+    return st;
+}
+
+void run_surface_sample(struct run_surface *s, const struct model *model, const void *state)
+{
+    if (s->flat.nodes)
+        model->probe(state, s->flat.nodes, s->uvw, s->xyz);
+}
+
+enum status run_surface_begin(const struct run_surface *s, const struct scene *scene,
+                              struct store *store, struct message *why)
+{
+    double *uv SCOPED(scope_free) = malloc((size_t)s->flat.nodes * 2 * sizeof *uv + 1);
+    const double size[2] = {scene->length, scene->width};
+
+    if (!uv)
+        return STATUS_MEMORY;
+    for (int n = 0; n < 2 * s->flat.nodes; n++)
+        uv[n] = s->flat.at[n / 2][n % 2] / size[n % 2];
+    return s->flat.nodes ? store_surface(store, s->flat.nodes, uv, s->flat.triangles,
+                                         (const int(*)[3])s->flat.triangle, why)
+                         : STATUS_OK;
+}
+
+enum status run_surface_store(const struct run_surface *s, struct store *store,
+                              struct message *why)
+{
+    return s->flat.nodes ? store_surface_frame(store, s->xyz, why) : STATUS_OK;
+}

@@ -1,0 +1,31 @@
+/* run_surface.h - triangles of the mid-surface of a sheet that is no rectangle, the same
+ * for all models: what pictures and ParaView show of a run, where the material grid would
+ * leave steps along the border.
+ */
+#ifndef RUN_SURFACE_H
+#define RUN_SURFACE_H
+
+#include "bench/files/store.h"
+#include "models/mesh_flat.h"
+
+struct run_surface {
+    struct mesh_flat flat; /* of the pattern; no triangles: the sheet is a rectangle    */
+    double *uvw, *xyz;     /* [flat.nodes][3] material points, positions [m]      owned */
+};
+
+/* Makes the scene's own triangles, or fine ones within its outline. STATUS_MEMORY. */
+enum status run_surface_init(struct run_surface *s, const struct scene *scene);
+void run_surface_clear(struct run_surface *s);
+
+/* Takes the positions of a state. */
+void run_surface_sample(struct run_surface *s, const struct model *model,
+                        const void *state);
+
+/* Stores triangles and places; and the positions, after a frame with a field. Nothing of a
+ * rectangle. */
+enum status run_surface_begin(const struct run_surface *s, const struct scene *scene,
+                              struct store *store, struct message *why);
+enum status run_surface_store(const struct run_surface *s, struct store *store,
+                              struct message *why);
+
+#endif

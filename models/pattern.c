@@ -465,7 +465,7 @@ enum status pattern_finish(struct pattern *p, double size[2], struct pattern_bla
     for (int k = 0; k < p->lines; k++)
         p->area += area_of(p, k);
     const enum status st = mark(p, size);
-    return st == STATUS_OK && p->start ? find_nearest(p, size) : st;
+    return st == STATUS_OK && p->node ? find_nearest(p, size) : st;
 }
 
 /* FNV-1a, 64 bits. */

@@ -15,7 +15,9 @@
 #include "bench/files/hdf5_file.h"
 #include "bench/files/provenance.h"
 #include "bench/files/seal.h"
+#include "bench/files/store_pattern.h"
 #include "bench/files/xdmf.h"
+#include "models/pattern.h"
 #include "models/contact/contact.h"
 #include "models/contact/contact_mesh.h"
 #include "models/grid.h"
@@ -117,6 +119,27 @@ static bool put_meshes(hid_t file, const struct scene *scene)
     return good;
 }
 
+/* Puts the corner of a pattern's box, and the parts of supports that are no boxes as
+ * support_0, ... */
+static bool put_parts(hid_t file, const struct scene *scene)
+{
+    const struct pattern *p = scene->pattern;
+    bool good = !p || (hdf5_file_put_double(file, "corner_u", p->corner[0]) >= 0 &&
+                       hdf5_file_put_double(file, "corner_v", p->corner[1]) >= 0);
+
+    for (int n = 0; good && n < scene->support_count; n++) {
+        const struct scene_support *s = &scene->supports[n];
+        char name[32];
+        snprintf(name, sizeof name, "support_%d", n);
+        if (s->part_count)
+            good =
+                hdf5_file_put_array(
+                    file, name, (struct hdf5_file_meaning){"1", "triangle, u v of corners"},
+                    s->part[0][0], s->part_count, 6) >= 0;
+    }
+    return good;
+}
+
 static enum status put_run(struct store *s, const struct store_run *run,
                            struct message *why)
 {
@@ -147,7 +170,8 @@ static enum status put_run(struct store *s, const struct store_run *run,
                    good && hdf5_file_put_double(s->file, "length", scene->length) >= 0 &&
                        hdf5_file_put_double(s->file, "width", scene->width) >= 0 &&
                        hdf5_file_put_double(s->file, "thickness", scene->thickness) >= 0 &&
-                       put_contact(s->file, scene) && put_meshes(s->file, scene),
+                       put_contact(s->file, scene) && put_meshes(s->file, scene) &&
+                       put_parts(s->file, scene),
                    why);
 }
 
@@ -666,6 +690,10 @@ enum status store_scene(struct store_read *file, const char *path, struct scene 
     memset(scene, 0, sizeof *scene);
     CALL(store_read_text(file, "/", "scene", &text, why));
     lines = arena_print(&file->arena, "%s", text);
-    return scene_file_parse(path, text, strlen(text), find_settings(lines, settings, MOST),
-                            settings, scene, &unused, why);
+    CALL(scene_file_parse(path, text, strlen(text), find_settings(lines, settings, MOST),
+                          settings, scene, &unused, why));
+    const enum status st = store_pattern(file, path, scene, why);
+    if (st != STATUS_OK)
+        scene_clear(scene);
+    return st;
 }

@@ -11,8 +11,9 @@
  *                     death_time [s] (only then), note (a sentence, if there is one),
  *                     quick ("yes", of a quick run only), made_for (run_file.h),
  *                     warnings (a line each, if there are any: harness/warnings.h),
- *                     length, width, thickness [m], nodes, unknowns, factor_entries,
- *                     contact_thickness, contact_range [m], contact_stiffness [Pa],
+ *                     length, width, thickness [m], corner_u, corner_v [m] (of the box of
+ *                     a sheet that is no rectangle, where the pose has 0), nodes, unknowns,
+ * factor_entries, contact_thickness, contact_range [m], contact_stiffness [Pa],
  *                     contact_friction (the law of the sheet on itself, of scenes with
  *                     contact only), contact_distance, contact_edge [m] (from a body under
  *                     the sheet's weight: of its mid-surface, and lambda),
@@ -22,6 +23,8 @@
  *   xyz               [K][w 2][v 100][u 100][3]    double [m] (or float, if asked for)
  *   xyz_time          [K]                          double [s]
  *   frame/0, frame/1, ...                          views of xyz[0], xyz[1], for XDMF
+ *   support_0, ...    [parts][6]                   double [1], u v of corners of what holds
+ *                     vertices or a group of the sheet's mesh
  *   surface/triangle  [T][3]                       int, of a sheet that is no rectangle:
  *                     triangles of its mid-surface, for pictures, with their points' places
  *   surface/uv        [N][2]                       double [1] on the sheet, and in space,

@@ -4,6 +4,7 @@
 
 #include "iga/support_knots.h"
 #include "models/contact/contact.h"
+#include "models/pattern.h"
 #include "models/support_lines.h"
 #include "models/vector.h"
 
@@ -164,6 +165,12 @@ static bool is_around(const struct run *r, int along)
 
 int warnings_spans(const struct run *r, int along)
 {
+    const struct discretization *d = &r->discretization;
+    const struct pattern *p = r->scene.pattern;
+
+    if (p && p->mesh.nodes && !d->mesh) /* of edges as long as those of the triangles */
+        return (int)fmax(1, p->size[along] * ldexp(1, d->refine) /
+                                sqrt(2 * p->area / p->mesh.triangles));
     return r->discretization.points[along] -
            (is_around(r, along) ? 0 : r->discretization.degree[along]);
 }

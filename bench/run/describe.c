@@ -14,12 +14,22 @@
 #include "models/linalg/blas_kernel.h"
 #include "models/metric/drape.h"
 #include "models/metric/metric.h"
+#include "models/pattern.h"
 
-static void describe_discretization(const struct discretization *d, FILE *file)
+static void describe_discretization(const struct scene *scene,
+                                    const struct discretization *d, FILE *file)
 {
-    fprintf(file, "discretization  %d x %d x %d points, degree (%d,%d,%d), kinematics %s",
-            d->points[0], d->points[1], d->points[2], d->degree[0], d->degree[1],
-            d->degree[2], option_kinematics[d->kinematics]);
+    if (scene->pattern && scene->pattern->mesh.nodes && !d->mesh)
+        fprintf(file, "discretization  the scene's triangles%s, kinematics %s",
+                d->refine == 0   ? ""
+                : d->refine == 1 ? ", each cut into four"
+                                 : ", each cut into four again and again",
+                option_kinematics[d->kinematics]);
+    else
+        fprintf(file,
+                "discretization  %d x %d x %d points, degree (%d,%d,%d), kinematics %s",
+                d->points[0], d->points[1], d->points[2], d->degree[0], d->degree[1],
+                d->degree[2], option_kinematics[d->kinematics]);
     fprintf(file, ", remedy %s", option_remedy[d->remedy]);
     if (d->gauss[0] || d->gauss[1] || d->gauss[2])
         fprintf(file, ", Gauss (%d,%d,%d)", d->gauss[0], d->gauss[1], d->gauss[2]);
@@ -183,7 +193,7 @@ void describe_setup(const struct run *run, FILE *file)
             scene_needs(&run->scene) & BENDS_TOO ? ", without loads and pressure" : "",
             bending(scene_gamma(&run->scene)));
     fprintf(file, "model           %s: %s\n", model->name, model->title);
-    describe_discretization(&run->discretization, file);
+    describe_discretization(&run->scene, &run->discretization, file);
     fprintf(
         file,
         "unknowns        %ld of %ld nodes, as %s; solver %s, %ld numbers in its factor\n",

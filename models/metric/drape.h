@@ -2,9 +2,11 @@
  * holder: off the shadow that it casts along gravity. For fields as metric.h has them.
  *
  * The disc is a closed cloak with a flare of 90 degrees (scene.h), the holder the circle of
- * its edge u = 0. The outline of the shadow is the farthest point in each of 1440
- * directions from the axis, of the lines of the grid along u and v; the thickness is left
- * out. Chords between the grid's points cut areas by .07 %, of the flat disc likewise.
+ * its edge u = 0; or it is a flat mesh with a round border, of which the only support holds
+ * a round group of the middle: its border is continued from the grid's cells inside. The
+ * outline of the shadow is the farthest point in each of 1440 directions from the axis, of
+ * the lines of the grid along u and v; the thickness is left out. Chords between the grid's
+ * points cut areas by .07 %, of the flat disc likewise.
  */
 #ifndef DRAPE_H
 #define DRAPE_H
@@ -17,7 +19,7 @@
 double drape_coefficient(const struct scene *scene, const double *xyz);
 
 /* Counts the folds ("nodes"): maxima of the outline's radius between which it falls by more
- * than 2 % of the disc's length u. NaN likewise. */
+ * than 2 % of the width of what hangs. NaN likewise. */
 double drape_folds(const struct scene *scene, const double *xyz);
 
 #endif

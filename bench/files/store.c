@@ -15,13 +15,11 @@
 #include "bench/files/hdf5_file.h"
 #include "bench/files/provenance.h"
 #include "bench/files/seal.h"
-#include "bench/files/store_pattern.h"
 #include "bench/files/xdmf.h"
 #include "models/pattern.h"
 #include "models/contact/contact.h"
 #include "models/contact/contact_mesh.h"
 #include "models/grid.h"
-#include "models/reader/scene_file.h"
 #include "models/reader/scene_schema.h"
 
 #define FORMAT "clothbench run 2"
@@ -661,39 +659,4 @@ enum status store_read_number(const struct store_read *f, const char *key, doubl
     hdf5_file_drop(attribute);
     return good ? STATUS_OK
                 : status_fail(why, STATUS_INPUT, "%s: has no number %s", f->path, key);
-}
-
-/* Finds the settings in the text, whose line ends become ends of strings. Those of the
- * discretization are not part of the scene and are left out. */
-static int find_settings(char *text, const char **settings, int most)
-{
-    static const char mark[] = "# --set ", other[] = "# --set discretization";
-    char *rest;
-    int count = 0;
-
-    for (char *line = strtok_r(text, "\n", &rest); line && count < most;
-         line = strtok_r(NULL, "\n", &rest))
-        if (!strncmp(line, mark, sizeof mark - 1) &&
-            strncmp(line, other, sizeof other - 1) != 0)
-            settings[count++] = line + sizeof mark - 1;
-    return count;
-}
-
-enum status store_scene(struct store_read *file, const char *path, struct scene *scene,
-                        struct message *why)
-{
-    enum { MOST = 256 };
-    const char *settings[MOST];
-    struct discretization unused = {0};
-    char *text, *lines;
-
-    memset(scene, 0, sizeof *scene);
-    CALL(store_read_text(file, "/", "scene", &text, why));
-    lines = arena_print(&file->arena, "%s", text);
-    CALL(scene_file_parse(path, text, strlen(text), find_settings(lines, settings, MOST),
-                          settings, scene, &unused, why));
-    const enum status st = store_pattern(file, path, scene, why);
-    if (st != STATUS_OK)
-        scene_clear(scene);
-    return st;
 }

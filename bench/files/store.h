@@ -158,10 +158,4 @@ enum status store_read_text(struct store_read *file, const char *group, const ch
 enum status store_read_number(const struct store_read *file, const char *key,
                               double *number, struct message *why);
 
-/* Reads the scene of a result file as it was run: the file keeps its text with its settings
- * below as lines `# --set KEY=VALUE`; they are applied again. *scene is overwritten, and
- * freed with scene_clear. */
-enum status store_scene(struct store_read *file, const char *path, struct scene *scene,
-                        struct message *why);
-
 #endif

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bench/files/store.h"
+#include "bench/files/store_scene.h"
 #include "bench/harness/looks.h"
 #include "models/grid.h"
 

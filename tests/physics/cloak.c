@@ -4,7 +4,7 @@
  */
 
 #include "bench/harness/run_file.h"
-#include "bench/files/store.h"
+#include "bench/files/store_scene.h"
 #include "models/metric/drape.h"
 #include "models/metric/metric.h"
 #include "models/reader/scene_file.h"

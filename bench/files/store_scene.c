@@ -1,4 +1,4 @@
-#include "bench/files/store_pattern.h"
+#include "bench/files/store_scene.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "models/pattern.h"
+#include "models/reader/scene_file.h"
 
 /* Fills a mesh from triangles[rows][3] and uv[points][2]; false: they are none of a plane.
  */
@@ -92,8 +93,10 @@ static enum status take_parts(struct store_read *file, struct scene *scene,
     return STATUS_OK;
 }
 
-enum status store_pattern(struct store_read *file, const char *path, struct scene *scene,
-                          struct message *why)
+/* Makes the pattern of a scene that names a mesh from the file's triangles, and the parts
+ * of its supports; of nothing else. Panels are not sewn together there. */
+static enum status take_surface(struct store_read *file, const char *path,
+                                struct scene *scene, struct message *why)
 {
     double *triangle, *uv, corner[2];
     int rows, points, columns[2];
@@ -115,4 +118,41 @@ enum status store_pattern(struct store_read *file, const char *path, struct scen
     if (st == STATUS_INPUT)
         return status_fail(why, st, "%s: its surface is no triangles of a plane", path);
     return st == STATUS_OK ? take_parts(file, scene, why) : st;
+}
+
+/* Finds the settings in the text, whose line ends become ends of strings. Those of the
+ * discretization are not part of the scene and are left out. */
+static int find_settings(char *text, const char **settings, int most)
+{
+    static const char mark[] = "# --set ", other[] = "# --set discretization";
+    char *rest;
+    int count = 0;
+
+    for (char *line = strtok_r(text, "\n", &rest); line && count < most;
+         line = strtok_r(NULL, "\n", &rest))
+        if (!strncmp(line, mark, sizeof mark - 1) &&
+            strncmp(line, other, sizeof other - 1) != 0)
+            settings[count++] = line + sizeof mark - 1;
+    return count;
+}
+
+enum status store_scene(struct store_read *file, const char *path, struct scene *scene,
+                        struct message *why)
+{
+    enum { MOST = 256 };
+    const char *settings[MOST];
+    struct discretization unused = {0};
+    char *text;
+
+    memset(scene, 0, sizeof *scene);
+    CALL(store_read_text(file, "/", "scene", &text, why));
+    char *lines SCOPED(scope_free) = strdup(text);
+    if (!lines)
+        return STATUS_MEMORY;
+    CALL(scene_file_parse(path, text, strlen(text), find_settings(lines, settings, MOST),
+                          settings, scene, &unused, why));
+    const enum status st = take_surface(file, path, scene, why);
+    if (st != STATUS_OK)
+        scene_clear(scene);
+    return st;
 }

@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "models/each.h"
 #include "models/room.h"
@@ -21,10 +22,91 @@ void contact_tree_clear(struct contact_tree *t)
     memset(t, 0, sizeof *t);
 }
 
+/* --- the cells of a mesh ----------------------------------------------------------------
+ */
+
+/* A triangle at its middle. */
+struct spot {
+    double at[2];
+    int triangle;
+};
+
+static int compare(const struct spot *p, const struct spot *q, int along)
+{
+    return p->at[along] != q->at[along]
+               ? (p->at[along] < q->at[along] ? -1 : 1)
+               : (p->triangle > q->triangle) - (p->triangle < q->triangle);
+}
+
+static int along_u(const void *a, const void *b)
+{
+    return compare(a, b, 0);
+}
+
+static int along_v(const void *a, const void *b)
+{
+    return compare(a, b, 1);
+}
+
+/* Sorts triangles so that each box of the tree holds a part that is cut off straight across
+ * its longer side. */
+static void bisect(struct spot *spot, int count)
+{
+    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+    int half = 1;
+
+    if (count < 2)
+        return;
+    for (int n = 0; n < count; n++)
+        for (int d = 0; d < 2; d++) {
+            low[d] = fmin(low[d], spot[n].at[d]);
+            high[d] = fmax(high[d], spot[n].at[d]);
+        }
+    qsort(spot, (size_t)count, sizeof *spot,
+          high[0] - low[0] >= high[1] - low[1] ? along_u : along_v);
+    while (2 * half < count)
+        half *= 2;
+    bisect(spot, half);
+    bisect(spot + half, count - half);
+}
+
+static enum status order_triangles(const struct contact_triangles *mesh, int *order)
+{
+    struct spot *spot = calloc((size_t)mesh->count, sizeof *spot);
+
+    if (!spot)
+        return STATUS_MEMORY;
+    for (int n = 0; n < mesh->count; n++) {
+        spot[n].triangle = n;
+        for (int k = 0; k < 6; k++)
+            spot[n].at[k % 2] += mesh->at[mesh->corner[n][k / 2]][k % 2];
+    }
+    bisect(spot, mesh->count);
+    for (int n = 0; n < mesh->count; n++)
+        order[n] = spot[n].triangle;
+    free(spot);
+    return STATUS_OK;
+}
+
+/* Finds the lengths along a grid. */
+static void measure_grid(struct contact_tree *t)
+{
+    const struct contact_surface *s = t->surface;
+
+    for (int d = 0; d < 2; d++)
+        for (int k = 0; k + 1 < s->points[d]; k++)
+            t->per_length[d][k] = 1 / (s->flat[d][k + 1] - s->flat[d][k]);
+    for (int k = 0; k < s->count; k++) {
+        t->flat[k][0] = s->flat[0][k / s->points[1]];
+        t->flat[k][1] = s->flat[1][k % s->points[1]];
+    }
+}
+
 enum status contact_tree_init(struct contact_tree *t, const struct contact_surface *s,
                               double apart)
 {
-    int n[2] = {s->points[0] - 1, s->points[1] - 1};
+    const bool meshed = s->mesh.count;
+    int n[2] = {meshed ? s->mesh.count : s->points[0] - 1, meshed ? 1 : s->points[1] - 1};
     size_t count = 0, start[32] = {0};
     enum status st;
 
@@ -38,27 +120,55 @@ enum status contact_tree_init(struct contact_tree *t, const struct contact_surfa
         n[0] = (n[0] + 1) / 2, n[1] = (n[1] + 1) / 2;
     }
     TRY(room_cut(&t->room, ROOM(t->boxes, count), ROOM(t->per_length[0], s->points[0]),
-                 ROOM(t->per_length[1], s->points[1]), ROOM(t->flat, s->count)));
-    for (int d = 0; d < 2; d++)
-        for (int k = 0; k + 1 < s->points[d]; k++)
-            t->per_length[d][k] = 1 / (s->flat[d][k + 1] - s->flat[d][k]);
-    for (int k = 0; k < s->count; k++) {
-        t->flat[k][0] = s->flat[0][k / s->points[1]];
-        t->flat[k][1] = s->flat[1][k % s->points[1]];
-    }
+                 ROOM(t->per_length[1], s->points[1]), ROOM(t->flat, s->count),
+                 ROOM(t->order, s->mesh.count)));
     for (int l = 1; l < t->levels; l++)
         t->level[l].box = t->boxes + start[l];
+    if (meshed) {
+        memcpy(t->flat, s->mesh.at, (size_t)s->count * sizeof *t->flat);
+        TRY(order_triangles(&s->mesh, t->order));
+    } else {
+        measure_grid(t);
+    }
 out:
     return st;
 }
 
 int contact_tree_triangle(const struct contact_tree *t, int cell)
 {
-    return 2 * (cell + cell / (t->surface->points[1] - 1));
+    return t->order ? t->order[cell] : 2 * (cell + cell / (t->surface->points[1] - 1));
+}
+
+/* Lists the samples of which a triangle is the first one around them. */
+static int samples_of(const struct contact_triangles *mesh, int triangle, int sample[4])
+{
+    int count = 0;
+
+    for (int k = 0; k < 3; k++) {
+        const int corner = mesh->corner[triangle][k];
+        if (mesh->ring[mesh->ring_at[corner]] == triangle)
+            sample[count++] = corner;
+    }
+    return count;
+}
+
+/* Lists the edges of which a triangle is the first one beside them. */
+static int edges_of(const struct contact_triangles *mesh, int triangle, int edge[5][2])
+{
+    int count = 0;
+
+    for (int k = 0; k < 3; k++) {
+        const struct mesh_edge *e = &mesh->edge[mesh->side[triangle][k]];
+        if (e->triangle[0] == triangle)
+            memcpy(edge[count++], e->node, sizeof *edge);
+    }
+    return count;
 }
 
 int contact_tree_samples(const struct contact_tree *t, int cell, int sample[4])
 {
+    if (t->order)
+        return samples_of(&t->surface->mesh, t->order[cell], sample);
     const int m = t->surface->points[1], i = cell / (m - 1), j = cell % (m - 1);
     const bool last_u = (i + 2) % t->surface->rows == 0, last_v = j + 2 == m;
     int count = 0;
@@ -75,6 +185,8 @@ int contact_tree_samples(const struct contact_tree *t, int cell, int sample[4])
 
 int contact_tree_edges(const struct contact_tree *t, int cell, int edge[5][2])
 {
+    if (t->order)
+        return edges_of(&t->surface->mesh, t->order[cell], edge);
     const int m = t->surface->points[1], i = cell / (m - 1), j = cell % (m - 1);
     const int c = i * m + j;
     const int all[5][2] = {
@@ -139,8 +251,25 @@ static void set_corners(struct contact_box *box, int first, const double *a, lon
     take(box, first, a + 3 * (m + 1));
 }
 
+/* Sets a part of a box to the hull of a vector at the corners of a triangle. */
+static void set_triangle(struct contact_box *box, int first, const double *a,
+                         const int corner[3])
+{
+    memcpy(box->low + first, a + 3 * (long)corner[0], 3 * sizeof *a);
+    memcpy(box->high + first, a + 3 * (long)corner[0], 3 * sizeof *a);
+    take(box, first, a + 3 * (long)corner[1]);
+    take(box, first, a + 3 * (long)corner[2]);
+}
+
 static void fit_places(const struct contact_tree *t, int cell, struct contact_box *box)
 {
+    if (t->order) {
+        const int *corner = t->surface->mesh.corner[t->order[cell]];
+        set_triangle(box, PLACE, t->y, corner);
+        if (t->d)
+            set_triangle(box, MOTION, t->d, corner);
+        return;
+    }
     const int m = t->surface->points[1];
     const long corner = cell + cell / (m - 1);
 
@@ -149,8 +278,31 @@ static void fit_places(const struct contact_tree *t, int cell, struct contact_bo
         set_corners(box, MOTION, t->d + 3 * corner, m);
 }
 
+/* Sets the slopes of a box to those of a triangle along u and v of the pattern. */
+static void set_gradient(const struct contact_tree *t, int triangle,
+                         struct contact_box *box)
+{
+    const int *corner = t->surface->mesh.corner[triangle];
+    const double *y[3], *p[3];
+
+    for (int k = 0; k < 3; k++)
+        y[k] = t->y + 3 * (long)corner[k], p[k] = t->flat[corner[k]];
+    const double a[2] = {p[1][0] - p[0][0], p[1][1] - p[0][1]};
+    const double b[2] = {p[2][0] - p[0][0], p[2][1] - p[0][1]};
+    const double per_area = 1 / (a[0] * b[1] - a[1] * b[0]);
+    for (int i = 0; i < 3; i++) {
+        const double e = y[1][i] - y[0][i], f = y[2][i] - y[0][i];
+        box->low[ALONG_U + i] = box->high[ALONG_U + i] = (b[1] * e - a[1] * f) * per_area;
+        box->low[ALONG_V + i] = box->high[ALONG_V + i] = (a[0] * f - b[0] * e) * per_area;
+    }
+}
+
 static void fit_slopes(const struct contact_tree *t, int cell, struct contact_box *box)
 {
+    if (t->order) {
+        set_gradient(t, t->order[cell], box);
+        return;
+    }
     const int m = t->surface->points[1], i = cell / (m - 1), j = cell % (m - 1);
     const double *y = t->y + 3 * ((long)i * m + j);
 
@@ -280,7 +432,7 @@ static double gap_of_neighbours(const struct contact_tree *t, int l, const struc
     const int first = di < 0 ? q->n / wide : p->n / wide;
     struct contact_box hull, own;
 
-    if (abs(di) > 1 || abs(dj) > 1 || of_sheets(t, l, first, first + abs(di)))
+    if (t->order || abs(di) > 1 || abs(dj) > 1 || of_sheets(t, l, first, first + abs(di)))
         return 0;
     hull = *slopes_at(t, l, p->n, &own);
     join(&hull, slopes_at(t, l, q->n, &own), ALONG_U, MOTION);

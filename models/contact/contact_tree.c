@@ -18,74 +18,14 @@ enum { PARALLEL = 1000 }; /* boxes from which threads are worth their start     
 
 void contact_tree_clear(struct contact_tree *t)
 {
+    contact_patches_clear(&t->patches);
     free(t->room);
     memset(t, 0, sizeof *t);
 }
 
-/* --- the cells of a mesh ----------------------------------------------------------------
- */
-
-/* A triangle at its middle. */
-struct spot {
-    double at[2];
-    int triangle;
-};
-
-static int compare(const struct spot *p, const struct spot *q, int along)
+static bool meshed(const struct contact_tree *t)
 {
-    return p->at[along] != q->at[along]
-               ? (p->at[along] < q->at[along] ? -1 : 1)
-               : (p->triangle > q->triangle) - (p->triangle < q->triangle);
-}
-
-static int along_u(const void *a, const void *b)
-{
-    return compare(a, b, 0);
-}
-
-static int along_v(const void *a, const void *b)
-{
-    return compare(a, b, 1);
-}
-
-/* Sorts triangles so that each box of the tree holds a part that is cut off straight across
- * its longer side. */
-static void bisect(struct spot *spot, int count)
-{
-    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
-    int half = 1;
-
-    if (count < 2)
-        return;
-    for (int n = 0; n < count; n++)
-        for (int d = 0; d < 2; d++) {
-            low[d] = fmin(low[d], spot[n].at[d]);
-            high[d] = fmax(high[d], spot[n].at[d]);
-        }
-    qsort(spot, (size_t)count, sizeof *spot,
-          high[0] - low[0] >= high[1] - low[1] ? along_u : along_v);
-    while (2 * half < count)
-        half *= 2;
-    bisect(spot, half);
-    bisect(spot + half, count - half);
-}
-
-static enum status order_triangles(const struct contact_triangles *mesh, int *order)
-{
-    struct spot *spot = calloc((size_t)mesh->count, sizeof *spot);
-
-    if (!spot)
-        return STATUS_MEMORY;
-    for (int n = 0; n < mesh->count; n++) {
-        spot[n].triangle = n;
-        for (int k = 0; k < 6; k++)
-            spot[n].at[k % 2] += mesh->at[mesh->corner[n][k / 2]][k % 2];
-    }
-    bisect(spot, mesh->count);
-    for (int n = 0; n < mesh->count; n++)
-        order[n] = spot[n].triangle;
-    free(spot);
-    return STATUS_OK;
+    return t->patches.order;
 }
 
 /* Finds the lengths along a grid. */
@@ -105,8 +45,8 @@ static void measure_grid(struct contact_tree *t)
 enum status contact_tree_init(struct contact_tree *t, const struct contact_surface *s,
                               double apart)
 {
-    const bool meshed = s->mesh.count;
-    int n[2] = {meshed ? s->mesh.count : s->points[0] - 1, meshed ? 1 : s->points[1] - 1};
+    const bool is_mesh = s->mesh.count;
+    int n[2] = {is_mesh ? s->mesh.count : s->points[0] - 1, is_mesh ? 1 : s->points[1] - 1};
     size_t count = 0, start[32] = {0};
     enum status st;
 
@@ -120,13 +60,12 @@ enum status contact_tree_init(struct contact_tree *t, const struct contact_surfa
         n[0] = (n[0] + 1) / 2, n[1] = (n[1] + 1) / 2;
     }
     TRY(room_cut(&t->room, ROOM(t->boxes, count), ROOM(t->per_length[0], s->points[0]),
-                 ROOM(t->per_length[1], s->points[1]), ROOM(t->flat, s->count),
-                 ROOM(t->order, s->mesh.count)));
+                 ROOM(t->per_length[1], s->points[1]), ROOM(t->flat, s->count)));
     for (int l = 1; l < t->levels; l++)
         t->level[l].box = t->boxes + start[l];
-    if (meshed) {
+    if (is_mesh) {
         memcpy(t->flat, s->mesh.at, (size_t)s->count * sizeof *t->flat);
-        TRY(order_triangles(&s->mesh, t->order));
+        TRY(contact_patches_init(&t->patches, s));
     } else {
         measure_grid(t);
     }
@@ -136,7 +75,8 @@ out:
 
 int contact_tree_triangle(const struct contact_tree *t, int cell)
 {
-    return t->order ? t->order[cell] : 2 * (cell + cell / (t->surface->points[1] - 1));
+    return meshed(t) ? t->patches.order[cell]
+                     : 2 * (cell + cell / (t->surface->points[1] - 1));
 }
 
 /* Lists the samples of which a triangle is the first one around them. */
@@ -167,8 +107,8 @@ static int edges_of(const struct contact_triangles *mesh, int triangle, int edge
 
 int contact_tree_samples(const struct contact_tree *t, int cell, int sample[4])
 {
-    if (t->order)
-        return samples_of(&t->surface->mesh, t->order[cell], sample);
+    if (meshed(t))
+        return samples_of(&t->surface->mesh, t->patches.order[cell], sample);
     const int m = t->surface->points[1], i = cell / (m - 1), j = cell % (m - 1);
     const bool last_u = (i + 2) % t->surface->rows == 0, last_v = j + 2 == m;
     int count = 0;
@@ -185,8 +125,8 @@ int contact_tree_samples(const struct contact_tree *t, int cell, int sample[4])
 
 int contact_tree_edges(const struct contact_tree *t, int cell, int edge[5][2])
 {
-    if (t->order)
-        return edges_of(&t->surface->mesh, t->order[cell], edge);
+    if (meshed(t))
+        return edges_of(&t->surface->mesh, t->patches.order[cell], edge);
     const int m = t->surface->points[1], i = cell / (m - 1), j = cell % (m - 1);
     const int c = i * m + j;
     const int all[5][2] = {
@@ -263,8 +203,8 @@ static void set_triangle(struct contact_box *box, int first, const double *a,
 
 static void fit_places(const struct contact_tree *t, int cell, struct contact_box *box)
 {
-    if (t->order) {
-        const int *corner = t->surface->mesh.corner[t->order[cell]];
+    if (meshed(t)) {
+        const int *corner = t->surface->mesh.corner[t->patches.order[cell]];
         set_triangle(box, PLACE, t->y, corner);
         if (t->d)
             set_triangle(box, MOTION, t->d, corner);
@@ -299,8 +239,8 @@ static void set_gradient(const struct contact_tree *t, int triangle,
 
 static void fit_slopes(const struct contact_tree *t, int cell, struct contact_box *box)
 {
-    if (t->order) {
-        set_gradient(t, t->order[cell], box);
+    if (meshed(t)) {
+        set_gradient(t, t->patches.order[cell], box);
         return;
     }
     const int m = t->surface->points[1], i = cell / (m - 1), j = cell % (m - 1);
@@ -413,6 +353,23 @@ struct part {
     const struct contact_box *box;
 };
 
+/* Returns gap_of_neighbours on a mesh, where lines between both stay on the sheet. */
+static double gap_in_patch(const struct contact_tree *t, int l, int p, int q)
+{
+    const struct contact_box *box = t->level[l].box;
+    const int *near, *end;
+    struct contact_box hull;
+    double part[4];
+
+    if (l == 0 || !contact_patches_between(&t->patches, l, p, q, part, &near, &end))
+        return 0;
+    hull = box[p];
+    for (; near < end; near++)
+        if (contact_patches_meets(&t->patches, l, *near, part))
+            join(&hull, &box[*near], ALONG_U, MOTION);
+    return t->apart * flatness(&hull);
+}
+
 /* Tells whether boxes of a level from row p to q reach over several sheets. */
 static bool of_sheets(const struct contact_tree *t, int l, int p, int q)
 {
@@ -432,7 +389,9 @@ static double gap_of_neighbours(const struct contact_tree *t, int l, const struc
     const int first = di < 0 ? q->n / wide : p->n / wide;
     struct contact_box hull, own;
 
-    if (t->order || abs(di) > 1 || abs(dj) > 1 || of_sheets(t, l, first, first + abs(di)))
+    if (meshed(t))
+        return gap_in_patch(t, l, p->n, q->n);
+    if (abs(di) > 1 || abs(dj) > 1 || of_sheets(t, l, first, first + abs(di)))
         return 0;
     hull = *slopes_at(t, l, p->n, &own);
     join(&hull, slopes_at(t, l, q->n, &own), ALONG_U, MOTION);

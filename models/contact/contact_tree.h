@@ -16,6 +16,7 @@
 
 #include <math.h>
 
+#include "models/contact/contact_patch.h"
 #include "models/contact/contact_surface.h"
 
 struct contact_tree {
@@ -27,7 +28,7 @@ struct contact_tree {
     double *per_length[2]; /* [points - 1] inverse lengths at rest              [1/m] */
     double (*flat)[2];     /* [samples] lengths at rest along u and v; places in a mesh's
                               pattern                                             [m] */
-    int *order;            /* [cells] triangles of a mesh                               */
+    struct contact_patches patches; /* of a mesh                          owned     */
     struct contact_box *boxes;
     struct contact_tree_level {
         int n[2]; /* boxes along u and v; of level 0 the cells              */
@@ -72,7 +73,7 @@ int contact_tree_triangle(const struct contact_tree *t, int cell);
 /* Returns how many triangles a cell has. */
 static inline int contact_tree_triangles(const struct contact_tree *t)
 {
-    return t->order ? 1 : 2;
+    return t->patches.order ? 1 : 2;
 }
 
 /* List the samples and the edges that a cell owns, so that each has one owner; return how

@@ -287,8 +287,10 @@ static void creased(enum kind kind)
     drop(&c);
 }
 
-/* A mesh with a hole, folded to two flat layers: each sample of the faces has its half of
- * the law at their distance. Creased all over, it has forces of no sum and no moment. */
+/* A mesh with a hole, folded to two flat layers that are a little beside each other: each
+ * sample has their distance, over the other's border and its corners, too, and those of the
+ * faces have their half of the law. Creased all over, it has forces of no sum and no
+ * moment; in a point, all edges of its border are near each other. */
 static void layers(void)
 {
     enum { MOST = 2000 };
@@ -298,7 +300,7 @@ static void layers(void)
     const double D = 0.8 * start, crease = 0.01;
     static double x[MOST][3], force[MOST][3];
     double sum[6], largest;
-    int faces = 0;
+    int faces = 0, beyond = 0, border = 0;
     struct contact_surface s;
     struct contact c;
 
@@ -309,19 +311,23 @@ static void layers(void)
     REQUIRE(mesh.vertices < MOST && contact_init(&c, &scene, &s) == STATUS_OK);
     for (int a = 0; a < mesh.vertices; a++) {
         const double from = mesh.flat.at[a][0] - 0.05;
-        x[a][0] = fabs(from), x[a][1] = mesh.flat.at[a][1];
+        const double beside = from > 0 ? 0.35 * start : 0;
+        x[a][0] = fabs(from) + beside, x[a][1] = mesh.flat.at[a][1] + beside;
         x[a][2] = fmin(fmax(from / crease, -0.5), 0.5) * D;
     }
     find(&c, x);
     for (const struct contact_touch *t = c.touch; t < c.touch + c.count; t++) {
         const double share = mesh.area[t->sample < 0 ? 0 : t->sample] / 2;
-        if (t->sample < 0 || x[t->sample][0] < 2 * crease || t->area < share)
+        if (t->sample < 0 || x[t->sample][0] < 2 * crease)
             continue;
         CHECK_RELATIVE(t->D, D, rounding);
+        beyond += t->area < share;
+        if (t->area < share)
+            continue;
         CHECK_RELATIVE(t->push, share * contact_law_pressure(&c.self, D, NULL), rounding);
         faces++;
     }
-    CHECK(faces > mesh.vertices / 4);
+    CHECK(faces > mesh.vertices / 4 && beyond > 10);
     for (int n = 0; n < 3 * mesh.vertices; n++)
         x[n / 3][n % 3] += 0.15 * start * sin(5. * n);
     find(&c, x);
@@ -329,7 +335,12 @@ static void layers(void)
     add_up(mesh.vertices, (const double(*)[3])x, (const double(*)[3])force, sum, &largest);
     CHECK(largest > 1e-4 && c.rim.points > 0);
     for (int i = 0; i < 6; i++)
-        CHECK_NEAR(sum[i], 0, rounding);
+        CHECK_NEAR(sum[i] / largest, 0, rounding);
+    memset(x, 0, sizeof x);
+    find(&c, x);
+    for (int e = 0; e < mesh.edges; e++)
+        border += mesh.edge[e].triangle[1] < 0;
+    CHECK(c.rim.count == border * (border - 1));
     drop(&c);
 }
 

@@ -281,7 +281,6 @@ void contact_foot_normals(const struct contact_sheet *sheet, int i, const bool *
             mean_normal(sheet, i, normal + 3 * (long)i);
         return;
     }
-
     for (int j = 0, end; j < m; j = end) {
         const bool border = !inner || j == 0 || j + 1 == m;
         end = j + 1;
@@ -607,10 +606,12 @@ static double strength(const struct contact_sheet *sheet, double cosine,
 
     if (!near)
         return seen;
-    const double *at = s->mesh.count ? s->mesh.at[foot->sample] : NULL;
-    const double uv[2] = {at ? at[0] : s->line[0][foot->sample / s->points[1]],
-                          at ? at[1] : s->line[1][foot->sample % s->points[1]]};
-    return seen * contact_foot_far(sheet, uv, (const double[2]){foot->u, foot->v});
+    const double to[2] = {foot->u, foot->v};
+    if (s->mesh.count)
+        return seen * contact_foot_far(sheet, s->mesh.at[foot->sample], to);
+    const double uv[2] = {s->line[0][foot->sample / s->points[1]],
+                          s->line[1][foot->sample % s->points[1]]};
+    return seen * contact_foot_far(sheet, uv, to);
 }
 
 /* Computes a net's foot from its triangle, the shares in the face, those within the sheet,

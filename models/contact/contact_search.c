@@ -220,12 +220,12 @@ static bool outside_triangle(const double *all, int sample, const int corner[3],
 static bool outside(const struct contact_search *s, int sample, int triangle, double reach)
 {
     const struct contact_surface *f = s->sheet.surface;
-    const int first = triangle / 2;
-    const double *y = s->sheet.y + 3 * (long)sample, *p = s->sheet.y + 3 * (long)first;
-    const double *q = p + 3 * (long)f->points[1];
 
     if (f->mesh.count)
         return outside_triangle(s->sheet.y, sample, f->mesh.corner[triangle], reach);
+    const double *y = s->sheet.y + 3 * (long)sample;
+    const double *p = s->sheet.y + 3 * (long)(triangle / 2);
+    const double *q = p + 3 * (long)f->points[1];
     for (int i = 0; i < 3; i++)
         if (y[i] < smaller(smaller(p[i], p[i + 3]), smaller(q[i], q[i + 3])) - reach ||
             y[i] > larger(larger(p[i], p[i + 3]), larger(q[i], q[i + 3])) + reach)
@@ -363,31 +363,38 @@ static void find_normals(struct contact_search *s)
     each_turn(s->sheet.surface->points[0], s->actives >= PARALLEL, find_row, s);
 }
 
-/* Returns by how much a sample's normal changes at most, over how far samples move against
- * each other, up to the margin: of a product of differences their lengths, and the margin.
- * 0: it isn't known. */
-static double turn_of(const struct contact_search *s, int sample)
+/* Returns by how much a product of differences between samples changes at most, over how
+ * far they move against each other, up to the margin. */
+static double turn_of(const struct contact_search *s, const double *const end[4])
+{
+    double u[3], v[3];
+
+    vector_between(end[0], end[1], u);
+    vector_between(end[2], end[3], v);
+    return vector_length(u) + vector_length(v) + s->margin;
+}
+
+/* Returns this of a sample's normal; 0: it isn't known. */
+static double normal_turns(const struct contact_search *s, int sample)
 {
     const struct contact_surface *f = s->sheet.surface;
+    const struct contact_triangles *mesh = &f->mesh;
     const int m = f->points[1], i = sample / m % f->rows, j = sample % m;
-    const double *y = s->sheet.y + 3 * (long)sample;
-    double u[3], v[3], sum = 0;
+    const double *all = s->sheet.y, *y = all + 3 * (long)sample;
+    double sum = 0;
 
-    for (int n = 0; f->mesh.count && n < f->mesh.ring_at[sample + 1]; n++) {
-        n = n ? n : f->mesh.ring_at[sample];
-        const int *corner = f->mesh.corner[f->mesh.ring[n]];
-        const double *p = s->sheet.y + 3 * (long)corner[0];
-        vector_between(p, s->sheet.y + 3 * (long)corner[1], u);
-        vector_between(p, s->sheet.y + 3 * (long)corner[2], v);
-        sum += vector_length(u) + vector_length(v) + s->margin;
+    if (!mesh->count)
+        return i == 0 || i + 1 == f->rows || j == 0 || j + 1 == m
+                   ? 0
+                   : turn_of(s, (const double *const[]){y - 3 * (long)m, y + 3 * (long)m,
+                                                        y - 3, y + 3});
+    for (int n = mesh->ring_at[sample]; n < mesh->ring_at[sample + 1]; n++) {
+        const int *corner = mesh->corner[mesh->ring[n]];
+        const double *p = all + 3 * (long)corner[0];
+        sum += turn_of(s, (const double *const[]){p, all + 3 * (long)corner[1], p,
+                                                  all + 3 * (long)corner[2]});
     }
-    if (f->mesh.count)
-        return sum / (6 * f->area[sample]);
-    if (i == 0 || i + 1 == f->rows || j == 0 || j + 1 == m)
-        return 0;
-    vector_between(y - 3 * (long)m, y + 3 * (long)m, u);
-    vector_between(y - 3, y + 3, v);
-    return vector_length(u) + vector_length(v) + s->margin;
+    return sum / (6 * f->area[sample]);
 }
 
 /* Returns by how much samples may move against each other, up to the margin, before a near
@@ -398,7 +405,7 @@ static double side_of(const struct contact_search *s, int sample)
 {
     const struct contact_surface *f = s->sheet.surface;
     const double *y = s->sheet.y + 3 * (long)sample, *n = s->normal + 3 * (long)sample;
-    const double turn = turn_of(s, sample);
+    const double turn = normal_turns(s, sample);
     double low = INFINITY, high = -INFINITY, far = 0;
 
     if (!(turn > 0))

@@ -45,12 +45,13 @@ static void measure_grid(struct contact_tree *t)
 enum status contact_tree_init(struct contact_tree *t, const struct contact_surface *s,
                               double apart)
 {
-    const bool is_mesh = s->mesh.count;
-    int n[2] = {is_mesh ? s->mesh.count : s->points[0] - 1, is_mesh ? 1 : s->points[1] - 1};
+    int n[2] = {s->points[0] - 1, s->points[1] - 1};
     size_t count = 0, start[32] = {0};
     enum status st;
 
     *t = (struct contact_tree){.surface = s, .apart = apart};
+    if (s->mesh.count)
+        n[0] = s->mesh.count, n[1] = 1;
     for (;;) {
         t->level[t->levels] = (struct contact_tree_level){{n[0], n[1]}, NULL};
         start[t->levels] = count;
@@ -63,7 +64,7 @@ enum status contact_tree_init(struct contact_tree *t, const struct contact_surfa
                  ROOM(t->per_length[1], s->points[1]), ROOM(t->flat, s->count)));
     for (int l = 1; l < t->levels; l++)
         t->level[l].box = t->boxes + start[l];
-    if (is_mesh) {
+    if (s->mesh.count) {
         memcpy(t->flat, s->mesh.at, (size_t)s->count * sizeof *t->flat);
         TRY(contact_patches_init(&t->patches, s));
     } else {

@@ -240,10 +240,32 @@ static void normals_between(const double *restrict y, long m, long from, long to
     }
 }
 
+/* Computes the mean normal of the triangles around a sample by their areas, as long as they
+ * are stretched: of length 1 on a sheet at rest, at the border, too. */
+static void mean_normal(const struct contact_sheet *sheet, int sample, double normal[3])
+{
+    const struct contact_surface *s = sheet->surface;
+    const double per_area = 1 / (6 * s->area[sample]);
+    struct three sum = {0, 0, 0};
+
+    for (int n = s->mesh.ring_at[sample]; n < s->mesh.ring_at[sample + 1]; n++) {
+        const int *corner = s->mesh.corner[s->mesh.ring[n]];
+        const struct three p = of(sheet->y + 3 * (long)corner[0]);
+        const struct three a = less(of(sheet->y + 3 * (long)corner[1]), p);
+        const struct three b = less(of(sheet->y + 3 * (long)corner[2]), p);
+        sum = plus(sum, per_area, cross(a, b));
+    }
+    normal[0] = sum.x, normal[1] = sum.y, normal[2] = sum.z;
+}
+
 void contact_foot_normal(const struct contact_sheet *sheet, int sample, double normal[3])
 {
     const int m = sheet->surface->points[1];
 
+    if (sheet->surface->mesh.count) {
+        mean_normal(sheet, sample, normal);
+        return;
+    }
     normal_at(sheet, sample, sample / m % sheet->surface->rows, sample % m, normal);
 }
 
@@ -254,6 +276,11 @@ void contact_foot_normals(const struct contact_sheet *sheet, int i, const bool *
     const int m = s->points[1], first = i * m, on = i % s->rows;
     const bool inner = on > 0 && on + 1 < s->rows;
 
+    if (s->mesh.count) {
+        if (wanted[i])
+            mean_normal(sheet, i, normal + 3 * (long)i);
+        return;
+    }
     for (int j = 0, end; j < m; j = end) {
         const bool border = !inner || j == 0 || j + 1 == m;
         end = j + 1;
@@ -326,6 +353,10 @@ int contact_foot_width(const struct contact_surface *s)
  * border. */
 static int neighbour(const struct contact_surface *s, int triangle, int corner)
 {
+    if (s->mesh.count) {
+        const struct mesh_edge *e = &s->mesh.edge[s->mesh.side[triangle][corner]];
+        return e->triangle[e->triangle[0] == triangle];
+    }
     static const int step[2][3][3] = {{{1, 0, 1}, {0, 0, 1}, {0, -1, 1}},
                                       {{0, 1, 0}, {-1, 0, 0}, {0, 0, 0}}};
     const int *by = step[triangle % 2][corner], m = s->points[1];
@@ -385,8 +416,25 @@ static int meet_edge(const struct open_face *face, int corner, double share[3])
     return wanted < -within ? a : wanted > 1 + within ? b : -1;
 }
 
-/* Returns the triangle with the next edge of the border beyond a corner of one at it, -1 at
- * a corner of the sheet. */
+/* Returns the triangle with the next edge of a mesh's border beyond a sample, from that
+ * with the one before, of which `last` is the other end: goes round the sample. */
+static int round_sample(const struct contact_triangles *mesh, int triangle, int sample,
+                        int last)
+{
+    for (;;) {
+        const int *corner = mesh->corner[triangle];
+        const int k = corner[0] == last ? 0 : corner[1] == last ? 1 : 2;
+        const struct mesh_edge *e = &mesh->edge[mesh->side[triangle][k]];
+        const int next = e->triangle[e->triangle[0] == triangle];
+        if (next < 0)
+            return triangle;
+        last = e->node[e->node[0] == sample];
+        triangle = next;
+    }
+}
+
+/* Returns the triangle with the next edge of a grid's border beyond a corner of one at it,
+ * -1 at a corner of the sheet. */
 static int along_border(const struct contact_surface *s, int triangle, int inner,
                         int beyond)
 {
@@ -404,6 +452,24 @@ static int along_border(const struct contact_surface *s, int triangle, int inner
     return triangle + 2 * step;
 }
 
+/* Returns the triangle at which a walk along the border goes on, -1: it ends beyond a
+ * corner of a face, which is a corner of the sheet. In a mesh that is one where the walk
+ * comes back to the sample that it has just passed, *passed. */
+static int next_border(const struct contact_surface *s, int triangle, int inner, int beyond,
+                       int *passed)
+{
+    const int before = *passed;
+
+    if (beyond < 0)
+        return -1;
+    if (!s->mesh.count)
+        return along_border(s, triangle, inner, beyond);
+    *passed = s->mesh.corner[triangle][beyond];
+    return *passed == before ? -1
+                             : round_sample(&s->mesh, triangle, *passed,
+                                            s->mesh.corner[triangle][3 - inner - beyond]);
+}
+
 /* Walks from a triangle, where meet ended with `share`, to the one that has
  * the foot along the interpolated normal; -1: there is none near. *border: it ended on the
  * border of the sheet. */
@@ -411,6 +477,7 @@ static int walk(const struct contact_sheet *sheet, int sample, int triangle, boo
                 double share[3], bool *border)
 {
     struct open_face one;
+    int passed = -1;
 
     for (int turn = 0; met && turn < 8; turn++) {
         const int low = share[0] < share[1] ? (share[0] < share[2] ? 0 : 2)
@@ -421,7 +488,7 @@ static int walk(const struct contact_sheet *sheet, int sample, int triangle, boo
         if (next < 0) {
             open_face(sheet, sample, triangle, &one);
             const int beyond = meet_edge(&one, low, share);
-            next = beyond < 0 ? -1 : along_border(sheet->surface, triangle, low, beyond);
+            next = next_border(sheet->surface, triangle, low, beyond, &passed);
             *border = next < 0;
             if (*border)
                 return triangle;
@@ -476,6 +543,15 @@ static void point_along(const double n[3], struct contact_foot *foot)
 void contact_foot_place(const struct contact_surface *s, int triangle,
                         const double share[3], double *u, double *v)
 {
+    if (s->mesh.count) {
+        const int *corner = s->mesh.corner[triangle];
+        const double(*at)[2] = s->mesh.at;
+        *u = share[0] * at[corner[0]][0] + share[1] * at[corner[1]][0] +
+             share[2] * at[corner[2]][0];
+        *v = share[0] * at[corner[0]][1] + share[1] * at[corner[1]][1] +
+             share[2] * at[corner[2]][1];
+        return;
+    }
     const double *line_u = s->line[0] + triangle / 2 / s->points[1];
     const double *line_v = s->line[1] + triangle / 2 % s->points[1];
     const double on_u = share[triangle % 2 ? 1 : 2] + (triangle % 2 ? 0 : share[1]);
@@ -497,7 +573,10 @@ double contact_foot_far(const struct contact_sheet *sheet, const double uv[2],
                         const double other[2])
 {
     const struct contact_surface *s = sheet->surface;
-    const double *start = contact_surface_sheet(s, uv[0]), apart = sheet->tree->apart;
+    const double apart = sheet->tree->apart;
+    if (s->mesh.count)
+        return rise(hypot(other[0] - uv[0], other[1] - uv[1]), apart, whole_apart * apart);
+    const double *start = contact_surface_sheet(s, uv[0]);
     const double du =
         (other[0] - uv[0]) * (s->flat[0][s->rows - 1] / (start[s->rows - 1] - *start));
     const double dv =
@@ -527,9 +606,12 @@ static double strength(const struct contact_sheet *sheet, double cosine,
 
     if (!near)
         return seen;
+    const double to[2] = {foot->u, foot->v};
+    if (s->mesh.count)
+        return seen * contact_foot_far(sheet, s->mesh.at[foot->sample], to);
     const double uv[2] = {s->line[0][foot->sample / s->points[1]],
                           s->line[1][foot->sample % s->points[1]]};
-    return seen * contact_foot_far(sheet, uv, (const double[2]){foot->u, foot->v});
+    return seen * contact_foot_far(sheet, uv, to);
 }
 
 /* Computes a net's foot from its triangle, the shares in the face, those within the sheet,

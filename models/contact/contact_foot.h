@@ -4,6 +4,7 @@
  * cells; they are numbered by the sample at their first corner:
  *   2 (i points[1] + j):      (i,j), (i+1,j), (i+1,j+1)
  *   2 (i points[1] + j) + 1:  (i,j), (i+1,j+1), (i,j+1).
+ * A mesh has triangles of its own, with their own numbers.
  * The closest point of those is refined, so that foot, distance and normal move
  * continuously with the sheet. Positions y[count][3] of the samples come from x[nodes][3].
  *
@@ -12,7 +13,8 @@
  * and the normal its gradient.
  *
  * A net is its triangles, and has the foot at which y - foot is parallel to the normal
- * interpolated between the corners (from central differences). The closest point of the
+ * interpolated between the corners (from central differences, on a mesh the mean of the
+ * triangles around by their areas). The closest point of the
  * triangles would not do: on the hollow side of an edge it jumps from face to face, and
  * with it the normal, just where the force pushes a sample to, so that Newton's method
  * finds no end. Here foot and normal are continuous. The force lies along y - foot, and the
@@ -48,7 +50,7 @@ struct contact_foot {
     int sample;
     int side; /* of its sample: 0 above, along the normal, 1 below                   */
     int first, count; /* its nodes and weights in the lists of contact_search         */
-    double u, v;
+    double u, v;      /* of a mesh: its place in the pattern [m] */
     double distance;  /*                                                     [m] >= 0 */
     double normal[3]; /* unit, from the foot to the sample                             */
     double strength;  /* its share in the law, 0 to 1                                  */
@@ -78,9 +80,9 @@ static inline void contact_foot_corners(const struct contact_surface *s, int tri
 {
     const int m = s->points[1], first = triangle / 2;
 
-    if (s->corner) {
+    if (s->mesh.count) {
         for (int k = 0; k < 3; k++)
-            corner[k] = s->corner[triangle][k];
+            corner[k] = s->mesh.corner[triangle][k];
         return;
     }
     corner[0] = first;
@@ -100,7 +102,8 @@ static inline struct contact_face contact_foot_face(const double *y, int sample,
  * the closest point, as contact_face_nearest does. */
 double contact_foot_nearest(const double y[3], const double *const p[3], double share[3]);
 
-/* Computes the parameters of a point of a triangle. */
+/* Computes the parameters of a point of a triangle, on a mesh its place in the pattern [m].
+ */
 void contact_foot_place(const struct contact_surface *s, int triangle,
                         const double share[3], double *u, double *v);
 

@@ -37,11 +37,16 @@ enum status contact_rim_init(struct contact_rim *r, struct contact_search *searc
 }
 
 /* --- edges: those of each sheet of n x m samples go round it, the sheet at their left, so
- * that the normal times their direction leads into it ---------------------------------- */
+ * that the normal times their direction leads into it; those of a mesh are its own ------
+ */
 
 /* Computes the samples at the ends of an edge. */
 static void ends_of(const struct contact_surface *s, int edge, int end[2])
 {
+    if (s->mesh.count) {
+        memcpy(end, s->mesh.edge[edge].node, 2 * sizeof *end);
+        return;
+    }
     const int n = s->rows, m = s->points[1], on[4] = {n - 1, m - 1, n - 1, m - 1};
     const int round = 2 * (n - 1 + m - 1), first = edge / round * n * m;
     int side = 0;
@@ -55,9 +60,23 @@ static void ends_of(const struct contact_surface *s, int edge, int end[2])
     }
 }
 
-/* Lists the edges of a cell that are rims; returns how many. */
-static int edges_of(const struct contact_surface *s, int cell, int edge[4])
+/* Lists the edges of a triangle of a mesh that are rims; returns how many. */
+static int edges_at(const struct contact_triangles *mesh, int triangle, int edge[4])
 {
+    int count = 0;
+
+    for (int k = 0; k < 3; k++)
+        if (mesh->edge[mesh->side[triangle][k]].triangle[1] < 0)
+            edge[count++] = mesh->side[triangle][k];
+    return count;
+}
+
+/* Lists the edges of a cell that are rims; returns how many. */
+static int edges_of(const struct contact_tree *tree, int cell, int edge[4])
+{
+    const struct contact_surface *s = tree->surface;
+    if (s->mesh.count)
+        return edges_at(&s->mesh, contact_tree_triangle(tree, cell), edge);
     const int n = s->rows, m = s->points[1], row = cell / (m - 1), j = cell % (m - 1);
     const int i = row % n, first = row / n * 2 * (n - 1 + m - 1);
     const bool seam = s->around > 0;
@@ -108,14 +127,14 @@ static enum status keep(struct contact_rim *r, int edge, int other)
 /* Lists the pairs of edges in near cells, each both ways. */
 static enum status list_pairs(struct contact_rim *r)
 {
-    const struct contact_surface *s = r->search->sheet.surface;
+    const struct contact_tree *tree = &r->search->tree;
     enum status st = STATUS_OK;
     int cell[2], edge[2][4];
 
     r->count = 0;
     for (long n = 0; contact_search_cells(r->search, n, cell); n++) {
-        const int count = edges_of(s, cell[0], edge[0]);
-        const int others = count ? edges_of(s, cell[1], edge[1]) : 0;
+        const int count = edges_of(tree, cell[0], edge[0]);
+        const int others = count ? edges_of(tree, cell[1], edge[1]) : 0;
         for (int k = 0; k < count; k++)
             for (int l = 0; l < others; l++)
                 if (edge[0][k] != edge[1][l]) {
@@ -144,6 +163,12 @@ struct place {
 /* Computes the parameters of a place, those of the sheet's ends beyond them. */
 static void find_uv(const struct contact_surface *s, struct place *p)
 {
+    if (s->mesh.count) {
+        for (int d = 0; d < 2; d++)
+            p->uv[d] =
+                (1 - p->at) * s->mesh.at[p->end[0]][d] + p->at * s->mesh.at[p->end[1]][d];
+        return;
+    }
     const double *end = s->line[0] + p->end[0] / s->points[1] / s->rows * s->rows;
     const double low[2] = {*end, 0}, high[2] = {end[s->rows - 1], 1};
 
@@ -175,8 +200,8 @@ static int locate(const struct contact_sheet *sheet, struct place *p, int *node,
 /* Returns the length at rest of an edge. */
 static double length_of(const struct contact_tree *tree, const int end[2])
 {
-    return fabs(tree->flat[end[1]][0] - tree->flat[end[0]][0]) +
-           fabs(tree->flat[end[1]][1] - tree->flat[end[0]][1]);
+    return hypot(tree->flat[end[1]][0] - tree->flat[end[0]][0],
+                 tree->flat[end[1]][1] - tree->flat[end[0]][1]);
 }
 
 /* Moves a foot on a curved rim to the point that is closest to y; it may leave its edge for

@@ -95,8 +95,8 @@ out:
 }
 
 enum status contact_surface_init_mesh(struct contact_surface *s, int nodes, int count,
-                                      const double *area, int triangles,
-                                      const int (*corner)[3], double spacing)
+                                      const double *area,
+                                      const struct contact_triangles *mesh, double spacing)
 {
     enum status st;
 
@@ -106,13 +106,12 @@ enum status contact_surface_init_mesh(struct contact_surface *s, int nodes, int 
                                   .width = 1,
                                   .nodes = nodes,
                                   .spacing = spacing,
-                                  .triangles = triangles};
+                                  .mesh = *mesh};
     TRY(room_cut(&s->room, ROOM(s->used, count), ROOM(s->node, count),
-                 ROOM(s->shape, count), ROOM(s->area, count), ROOM(s->corner, triangles)));
+                 ROOM(s->shape, count), ROOM(s->area, count)));
     for (int n = 0; n < count; n++)
         s->used[n] = 1, s->node[n] = n, s->shape[n] = 1;
     memcpy(s->area, area, (size_t)count * sizeof *area);
-    memcpy(s->corner, corner, (size_t)triangles * sizeof *corner);
 out:
     return st;
 }

@@ -227,8 +227,8 @@ static enum status pair_triangles(struct contact_thin *t, int first, int end,
 {
     enum status st = STATUS_OK;
 
-    for (int n = 0; n < t->surface->triangles; n++) {
-        const int *corner = t->surface->corner[n];
+    for (int n = 0; n < t->surface->mesh.count; n++) {
+        const int *corner = t->surface->mesh.corner[n];
         struct contact_thin_box box =
             box_of(t->y + 3L * corner[0], t->y_old + 3L * corner[0], 0);
         for (int k = 1; k < 3; k++) {
@@ -251,7 +251,7 @@ static enum status pair_cells(struct contact_thin *t, int first, int end,
     const int m = s->points[1];
     enum status st = STATUS_OK;
 
-    if (s->corner)
+    if (s->mesh.count)
         return pair_triangles(t, first, end, all);
     for (int n = 0; n < s->count - m; n++) {
         const double *y = t->y + 3L * n, *old = t->y_old + 3L * n;

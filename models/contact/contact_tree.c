@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "models/each.h"
 #include "models/room.h"
@@ -17,8 +18,28 @@ enum { PARALLEL = 1000 }; /* boxes from which threads are worth their start     
 
 void contact_tree_clear(struct contact_tree *t)
 {
+    contact_patches_clear(&t->patches);
     free(t->room);
     memset(t, 0, sizeof *t);
+}
+
+static bool meshed(const struct contact_tree *t)
+{
+    return t->patches.order;
+}
+
+/* Finds the lengths along a grid. */
+static void measure_grid(struct contact_tree *t)
+{
+    const struct contact_surface *s = t->surface;
+
+    for (int d = 0; d < 2; d++)
+        for (int k = 0; k + 1 < s->points[d]; k++)
+            t->per_length[d][k] = 1 / (s->flat[d][k + 1] - s->flat[d][k]);
+    for (int k = 0; k < s->count; k++) {
+        t->flat[k][0] = s->flat[0][k / s->points[1]];
+        t->flat[k][1] = s->flat[1][k % s->points[1]];
+    }
 }
 
 enum status contact_tree_init(struct contact_tree *t, const struct contact_surface *s,
@@ -29,6 +50,8 @@ enum status contact_tree_init(struct contact_tree *t, const struct contact_surfa
     enum status st;
 
     *t = (struct contact_tree){.surface = s, .apart = apart};
+    if (s->mesh.count)
+        n[0] = s->mesh.count, n[1] = 1;
     for (;;) {
         t->level[t->levels] = (struct contact_tree_level){{n[0], n[1]}, NULL};
         start[t->levels] = count;
@@ -39,26 +62,54 @@ enum status contact_tree_init(struct contact_tree *t, const struct contact_surfa
     }
     TRY(room_cut(&t->room, ROOM(t->boxes, count), ROOM(t->per_length[0], s->points[0]),
                  ROOM(t->per_length[1], s->points[1]), ROOM(t->flat, s->count)));
-    for (int d = 0; d < 2; d++)
-        for (int k = 0; k + 1 < s->points[d]; k++)
-            t->per_length[d][k] = 1 / (s->flat[d][k + 1] - s->flat[d][k]);
-    for (int k = 0; k < s->count; k++) {
-        t->flat[k][0] = s->flat[0][k / s->points[1]];
-        t->flat[k][1] = s->flat[1][k % s->points[1]];
-    }
     for (int l = 1; l < t->levels; l++)
         t->level[l].box = t->boxes + start[l];
+    if (s->mesh.count) {
+        memcpy(t->flat, s->mesh.at, (size_t)s->count * sizeof *t->flat);
+        TRY(contact_patches_init(&t->patches, s));
+    } else {
+        measure_grid(t);
+    }
 out:
     return st;
 }
 
 int contact_tree_triangle(const struct contact_tree *t, int cell)
 {
-    return 2 * (cell + cell / (t->surface->points[1] - 1));
+    return meshed(t) ? t->patches.order[cell]
+                     : 2 * (cell + cell / (t->surface->points[1] - 1));
+}
+
+/* Lists the samples of which a triangle is the first one around them. */
+static int samples_of(const struct contact_triangles *mesh, int triangle, int sample[4])
+{
+    int count = 0;
+
+    for (int k = 0; k < 3; k++) {
+        const int corner = mesh->corner[triangle][k];
+        if (mesh->ring[mesh->ring_at[corner]] == triangle)
+            sample[count++] = corner;
+    }
+    return count;
+}
+
+/* Lists the edges of which a triangle is the first one beside them. */
+static int edges_of(const struct contact_triangles *mesh, int triangle, int edge[5][2])
+{
+    int count = 0;
+
+    for (int k = 0; k < 3; k++) {
+        const struct mesh_edge *e = &mesh->edge[mesh->side[triangle][k]];
+        if (e->triangle[0] == triangle)
+            memcpy(edge[count++], e->node, sizeof *edge);
+    }
+    return count;
 }
 
 int contact_tree_samples(const struct contact_tree *t, int cell, int sample[4])
 {
+    if (meshed(t))
+        return samples_of(&t->surface->mesh, t->patches.order[cell], sample);
     const int m = t->surface->points[1], i = cell / (m - 1), j = cell % (m - 1);
     const bool last_u = (i + 2) % t->surface->rows == 0, last_v = j + 2 == m;
     int count = 0;
@@ -75,6 +126,8 @@ int contact_tree_samples(const struct contact_tree *t, int cell, int sample[4])
 
 int contact_tree_edges(const struct contact_tree *t, int cell, int edge[5][2])
 {
+    if (meshed(t))
+        return edges_of(&t->surface->mesh, t->patches.order[cell], edge);
     const int m = t->surface->points[1], i = cell / (m - 1), j = cell % (m - 1);
     const int c = i * m + j;
     const int all[5][2] = {
@@ -139,8 +192,25 @@ static void set_corners(struct contact_box *box, int first, const double *a, lon
     take(box, first, a + 3 * (m + 1));
 }
 
+/* Sets a part of a box to the hull of a vector at the corners of a triangle. */
+static void set_triangle(struct contact_box *box, int first, const double *a,
+                         const int corner[3])
+{
+    memcpy(box->low + first, a + 3 * (long)corner[0], 3 * sizeof *a);
+    memcpy(box->high + first, a + 3 * (long)corner[0], 3 * sizeof *a);
+    take(box, first, a + 3 * (long)corner[1]);
+    take(box, first, a + 3 * (long)corner[2]);
+}
+
 static void fit_places(const struct contact_tree *t, int cell, struct contact_box *box)
 {
+    if (meshed(t)) {
+        const int *corner = t->surface->mesh.corner[t->patches.order[cell]];
+        set_triangle(box, PLACE, t->y, corner);
+        if (t->d)
+            set_triangle(box, MOTION, t->d, corner);
+        return;
+    }
     const int m = t->surface->points[1];
     const long corner = cell + cell / (m - 1);
 
@@ -149,8 +219,31 @@ static void fit_places(const struct contact_tree *t, int cell, struct contact_bo
         set_corners(box, MOTION, t->d + 3 * corner, m);
 }
 
+/* Sets the slopes of a box to those of a triangle along u and v of the pattern. */
+static void set_gradient(const struct contact_tree *t, int triangle,
+                         struct contact_box *box)
+{
+    const int *corner = t->surface->mesh.corner[triangle];
+    const double *y[3], *p[3];
+
+    for (int k = 0; k < 3; k++)
+        y[k] = t->y + 3 * (long)corner[k], p[k] = t->flat[corner[k]];
+    const double a[2] = {p[1][0] - p[0][0], p[1][1] - p[0][1]};
+    const double b[2] = {p[2][0] - p[0][0], p[2][1] - p[0][1]};
+    const double per_area = 1 / (a[0] * b[1] - a[1] * b[0]);
+    for (int i = 0; i < 3; i++) {
+        const double e = y[1][i] - y[0][i], f = y[2][i] - y[0][i];
+        box->low[ALONG_U + i] = box->high[ALONG_U + i] = (b[1] * e - a[1] * f) * per_area;
+        box->low[ALONG_V + i] = box->high[ALONG_V + i] = (a[0] * f - b[0] * e) * per_area;
+    }
+}
+
 static void fit_slopes(const struct contact_tree *t, int cell, struct contact_box *box)
 {
+    if (meshed(t)) {
+        set_gradient(t, t->patches.order[cell], box);
+        return;
+    }
     const int m = t->surface->points[1], i = cell / (m - 1), j = cell % (m - 1);
     const double *y = t->y + 3 * ((long)i * m + j);
 
@@ -261,6 +354,23 @@ struct part {
     const struct contact_box *box;
 };
 
+/* Returns gap_of_neighbours on a mesh, where lines between both stay on the sheet. */
+static double gap_in_patch(const struct contact_tree *t, int l, int p, int q)
+{
+    const struct contact_box *box = t->level[l].box;
+    const int *near, *end;
+    struct contact_box hull;
+    double part[4];
+
+    if (l == 0 || !contact_patches_between(&t->patches, l, p, q, part, &near, &end))
+        return 0;
+    hull = box[p];
+    for (; near < end; near++)
+        if (contact_patches_meets(&t->patches, l, *near, part))
+            join(&hull, &box[*near], ALONG_U, MOTION);
+    return t->apart * flatness(&hull);
+}
+
 /* Tells whether boxes of a level from row p to q reach over several sheets. */
 static bool of_sheets(const struct contact_tree *t, int l, int p, int q)
 {
@@ -280,6 +390,8 @@ static double gap_of_neighbours(const struct contact_tree *t, int l, const struc
     const int first = di < 0 ? q->n / wide : p->n / wide;
     struct contact_box hull, own;
 
+    if (meshed(t))
+        return gap_in_patch(t, l, p->n, q->n);
     if (abs(di) > 1 || abs(dj) > 1 || of_sheets(t, l, first, first + abs(di)))
         return 0;
     hull = *slopes_at(t, l, p->n, &own);

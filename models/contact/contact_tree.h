@@ -1,5 +1,7 @@
 /* contact_tree.h - which cells of a sheet may be near which: a tree of boxes over the grid
- * of its samples, 2 x 2 to a box, that is fitted again in O(n).
+ * of its samples, 2 x 2 to a box, that is fitted again in O(n). The cells of a mesh are its
+ * triangles, in an order in which those that follow each other lie together in the pattern;
+ * two are in a box.
  *
  * A box holds the least and largest of each coordinate of its part's samples, of the two
  * derivatives by the lengths at rest along u and v, and, for limits of steps, of the
@@ -14,6 +16,7 @@
 
 #include <math.h>
 
+#include "models/contact/contact_patch.h"
 #include "models/contact/contact_surface.h"
 
 struct contact_tree {
@@ -23,7 +26,9 @@ struct contact_tree {
     const double *y, *d;   /* of contact_tree_fit                            borrowed  */
     void *room;            /* of the arrays                                 owned     */
     double *per_length[2]; /* [points - 1] inverse lengths at rest              [1/m] */
-    double (*flat)[2];     /* [samples] lengths at rest along u and v             [m] */
+    double (*flat)[2];     /* [samples] lengths at rest along u and v; places in a mesh's
+                              pattern                                             [m] */
+    struct contact_patches patches; /* of a mesh                          owned     */
     struct contact_box *boxes;
     struct contact_tree_level {
         int n[2]; /* boxes along u and v; of level 0 the cells              */
@@ -45,7 +50,8 @@ static inline double contact_tree_across(const struct contact_tree *t, double wa
 }
 
 /* Tells whether a point of a triangle, by the shares of its corners, is nearer to a sample
- * than `apart` along the sheet [m]. */
+ * than `apart` along the sheet [m]; on a mesh straight across the pattern, which is no
+ * farther. */
 static inline bool contact_tree_near(const struct contact_tree *t, double apart, int sample,
                                      const int corner[3], const double share[3])
 {
@@ -61,8 +67,14 @@ static inline bool contact_tree_near(const struct contact_tree *t, double apart,
     return du * du + dv * dv < apart * apart;
 }
 
-/* Returns the first of a cell's two triangles (contact_foot.h). */
+/* Returns the first of a cell's triangles (contact_foot.h); a grid's has the next, too. */
 int contact_tree_triangle(const struct contact_tree *t, int cell);
+
+/* Returns how many triangles a cell has. */
+static inline int contact_tree_triangles(const struct contact_tree *t)
+{
+    return t->patches.order ? 1 : 2;
+}
 
 /* List the samples and the edges that a cell owns, so that each has one owner; return how
  * many. */

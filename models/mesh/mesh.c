@@ -131,9 +131,13 @@ enum status mesh_contact(const struct mesh *mesh, const struct scene *scene,
     if (mesh->rows)
         return contact_surface_init_net(surface, scene, mesh->points);
     if (scene->pattern)
-        return contact_surface_init_mesh(surface, mesh->nodes, mesh->vertices, mesh->area,
-                                         mesh->flat.triangles,
-                                         (const int(*)[3])mesh->flat.triangle, mesh->scale);
+        return contact_surface_init_mesh(
+            surface, mesh->nodes, mesh->vertices, mesh->area,
+            &(struct contact_triangles){
+                mesh->flat.triangles, (const int(*)[3])mesh->flat.triangle,
+                (const int(*)[3])mesh->side, mesh->edge, mesh->ring_at, mesh->ring,
+                (const double(*)[2])mesh->flat.at},
+            mesh->scale);
     for (int i = 0; i < 2; i++)
         points[i] = 1 + (int)fmax(1, round(mesh->size[i] / mesh->scale));
     TRY(contact_surface_init_even(surface, scene, mesh, row_of, 3, mesh->vertices, points));

@@ -11,10 +11,7 @@
 const char *net_mesh_lacks(const struct scene *scene, const struct discretization *d,
                            bool springs)
 {
-    return scene->pattern && scene->contact.self
-               ? "a sheet with an outline meets bodies only, not yet itself: "
-                 "contact={self: false}"
-           : scene->pattern && d->mesh && strcmp(d->mesh, "irregular")
+    return scene->pattern && d->mesh && strcmp(d->mesh, "irregular")
                ? "mesh: a sheet with an outline has its own, or one that is made anew from "
                  "the "
                  "outline, mesh=irregular"

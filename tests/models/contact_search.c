@@ -9,6 +9,7 @@
 #include "models/metric/intersection.h"
 #include "models/vector.h"
 #include "tests/check.h"
+#include "tests/mesh_surface_fixture.h"
 
 /* Sums of a few products of numbers near 1. */
 static const double rounding = 1e-14;
@@ -49,6 +50,10 @@ static void open_smooth(const int points[2], contact_row *row, int width,
     scene_clear(&scene);
 }
 
+/* The next nets are meshes of the same points, in `mesh`. */
+static bool meshed;
+static struct mesh mesh;
+
 /* A net of several sheets of so long sides, n[0] rows in all, in a search. */
 static void open_sheets(int sheets, double side, const int n[2],
                         struct contact_surface *surface, struct contact_search *search)
@@ -60,7 +65,10 @@ static void open_sheets(int sheets, double side, const int n[2],
     scene.length = scene.width = side;
     for (int k = 1; k < sheets; k++)
         scene.pose[k] = scene.pose[0];
-    REQUIRE(contact_surface_init_net(surface, &scene, n) == STATUS_OK);
+    if (meshed)
+        surface_of_grid(&scene, n, &mesh, surface);
+    else
+        REQUIRE(contact_surface_init_net(surface, &scene, n) == STATUS_OK);
     REQUIRE(contact_search_init(search, surface, start) == STATUS_OK);
     scene_clear(&scene);
 }
@@ -69,6 +77,7 @@ static void close_search(struct contact_surface *surface, struct contact_search 
 {
     contact_search_clear(search);
     contact_surface_clear(surface);
+    mesh_clear(&mesh);
 }
 
 static void flat(double u, double v, double x[3])
@@ -179,8 +188,11 @@ static void check_feet(const struct contact_search *s, int sheets)
         }
         for (int i = 0; i < 3; i++)
             y[i] -= foot->distance * foot->normal[i];
-        const double du = foot->u - f->line[0][foot->sample / f->points[1]];
-        const double dv = foot->v - f->line[1][foot->sample % f->points[1]];
+        const bool grid = f->line[0];
+        const double du = foot->u - (grid ? f->line[0][foot->sample / f->points[1]]
+                                          : f->mesh.at[foot->sample][0]);
+        const double dv = foot->v - (grid ? f->line[1][foot->sample % f->points[1]]
+                                          : f->mesh.at[foot->sample][1]);
         wrong += !(fabs(sum - 1) < rounding) || !(vector_length(y) < rounding) ||
                  !(fabs(vector_length(foot->normal) - 1) < rounding) ||
                  (sheets == 1 && !(sqrt(du * du + dv * dv) > 0.25 * turn * start * 0.8)) ||
@@ -199,7 +211,7 @@ static void test_every_pair(void)
 {
     enum { CALLS = 9, MOST = SHAPES + 3 };
 
-    for (int k = 0; k < MOST; k++) {
+    for (int k = 0; k < (meshed ? SHAPES : MOST); k++) {
         const struct shape *shape = &shapes[k < SHAPES ? k : CRUMPLED];
         const int sheets = k < SHAPES ? 1 : 2 + 3 * (k - SHAPES),
                   n[2] = {25 / sheets * sheets, 21};
@@ -678,9 +690,10 @@ static void test_sheets_alone(void)
     close_search(&lone, &alone);
 }
 
-/* A sheet comes to the other side of a sample within the margin: through it, where cells
- * are so wide that nothing turns, or because the sample's neighbours turn its normal, where
- * they are so near that little turns it far. What is known of sides keeps neither out. */
+/* As one mesh, two sheets are joined by triangles that are far from all. A sheet comes to
+ * the other side of a sample within the margin: through it, where cells are so wide that
+ * nothing turns, or because the sample's neighbours turn its normal, where they are so near
+ * that little turns it far. What is known of sides keeps neither out. */
 static void test_sides(void)
 {
     enum { ROWS = 12, M = 9, I = 5, J = 4 };
@@ -692,10 +705,14 @@ static void test_sides(void)
     const int n[2] = {2 * ROWS, M};
 
     for (int k = 0; k < 2; k++) {
-        struct contact_surface surface, same;
+        struct contact_surface surface;
         struct contact_search kept, all;
-        open_sheets(2, start / 4, n, &surface, &kept);
-        open_sheets(2, start / 4, n, &same, &all);
+        open_sheets(meshed ? 1 : 2, start / 4, n, &surface, &kept);
+        contact_search_clear(&kept);
+        for (int p = ROWS * M; meshed && p < 2 * ROWS * M; p++)
+            mesh.flat.at[p][0] += 1;
+        REQUIRE(contact_search_init(&kept, &surface, start) == STATUS_OK);
+        REQUIRE(contact_search_init(&all, &surface, start) == STATUS_OK);
         for (int p = 0; p < 2 * ROWS * M; p++) {
             const int i = p / M % ROWS, j = p % M;
             const double lower[] = {(i - I) * cases[k].cell, (j - J) * cases[k].cell, 0};
@@ -703,6 +720,8 @@ static void test_sides(void)
                 place[p][x] = p < ROWS * M ? lower[x]
                                            : cases[k].at[x] + i * cases[k].row[x] +
                                                  j * cases[k].column[x];
+            if (meshed && (p / M == ROWS - 1 || p / M == ROWS)) /* joined, far away */
+                place[p][0] = 1000, place[p][2] = p / M == ROWS ? 100 : -100;
         }
         for (int side = 0; side < 2; side++) {
             int f = 0;
@@ -719,13 +738,114 @@ static void test_sides(void)
                     place[(I + 1) * M + j][2] += cases[k].turn;
         }
         CHECK(kept.sought == 1);
+        contact_search_clear(&all);
         close_search(&surface, &kept);
-        close_search(&same, &all);
+    }
+}
+
+/* A pattern's points where a function has them, and nothing of it elsewhere. */
+static void shape_mesh(void (*shape)(double u, double v, double x[3]))
+{
+    REQUIRE(mesh.vertices < POINTS_MAX);
+    for (int a = 0; a < mesh.vertices; a++)
+        shape(mesh.flat.at[a][0], mesh.flat.at[a][1], place[a]);
+}
+
+/* Two flat prongs that lie on each other, where the pattern has nothing between them. */
+static void forked(double u, double v, double x[3])
+{
+    const double t = fmin(fmax((u - 0.45) / 0.1, 0), 1);
+
+    x[0] = u - 0.2 * t, x[1] = v, x[2] = 0.8 * start * t;
+}
+
+/* The tree without what leaves flat parts out. */
+static void open_all(struct contact_search *s)
+{
+    for (int n = 0; n < s->tree.patches.start[s->tree.levels - 1] + 1; n++)
+        s->tree.patches.convex[n] = false;
+}
+
+static enum status count_pair(struct contact_tree_search *search, int cell, int other)
+{
+    (void)cell, (void)other;
+    ++*(long *)search->context;
+    return STATUS_OK;
+}
+
+/* Outlines, with what of them lies flat and far from corners to the inside left out. */
+static const struct {
+    double line[64];
+    bool convex;
+} patterns[] = {
+    {{0, 0, 1, 0, 1, 1, 0, 1, INFINITY, INFINITY}, true},
+    {{1, .5, .85, .85, .5, 1, .15, .85, 0, .5, .15, .15, .5, 0, .85, .15, INFINITY,
+      INFINITY},
+     true},
+    {{0,  0,  1,        0,  .8, 1,  .3, 1,  INFINITY, .3, .2, .5,       .3,
+      .3, .5, INFINITY, .6, .5, .7, .5, .7, .9,       .6, .9, INFINITY, INFINITY},
+     false},
+    {{0, 0, 1, 0, 1, 1, .55, 1, .55, .3, .45, .3, .45, 1, 0, 1, INFINITY, INFINITY},
+     false}};
+
+/* Feet and limits on meshes of all kinds of outlines, bent to all shapes, are those that
+ * every pair says, and those without what leaves flat parts out, which does so, though. */
+static void test_patterns(void)
+{
+    void (*const shape[])(double, double, double *) = {flat, folded, crumpled, forked};
+
+    for (int k = 0; k < 16; k++) {
+        struct contact_surface surface;
+        struct contact_search kept, all;
+        struct scene scene;
+        double share[2];
+        long pairs = 0;
+        struct contact_tree_search search = {1.3 * start, 0, &pairs, count_pair};
+        REQUIRE(scene_init(&scene) == STATUS_OK);
+        surface_of_lines(&scene, patterns[k / 4].line, (int[]){31, 31}, k + 1, &mesh,
+                         &surface);
+        REQUIRE(contact_search_init(&kept, &surface, start) == STATUS_OK);
+        REQUIRE(contact_search_init(&all, &surface, start) == STATUS_OK);
+        open_all(&all);
+        shape_mesh(shape[k % 4]);
+        for (int p = 0; p < 3 * mesh.vertices; p++)
+            change[p / 3][p % 3] = 0.02 * random_about_0();
+        for (int call = 0; call < 3; call++) {
+            omp_set_num_threads(1 + call);
+            REQUIRE(contact_search_find(&kept, place[0]) == STATUS_OK);
+            REQUIRE(contact_search_find_all(&all, place[0]) == STATUS_OK);
+            check_same(&kept, &all);
+            check_feet(&kept, 1);
+            for (int p = 0; p < 3 * mesh.vertices; p++)
+                place[p / 3][p % 3] += 0.1 * start * sin(7. * p + call);
+        }
+        CHECK(k % 4 ? kept.count > 50 : kept.count == 0);
+        REQUIRE(contact_search_limit(&kept, place[0], change[0], 0, 1, &share[0], NULL) ==
+                STATUS_OK);
+        REQUIRE(contact_search_limit(&all, place[0], change[0], 0, 1, &share[1], NULL) ==
+                STATUS_OK);
+        CHECK(share[0] == share[1] && share[0] > 0 && (share[0] < 1 || k % 4 == 0));
+        shape_mesh(flat);
+        contact_tree_fit(&kept.tree, place[0], NULL);
+        REQUIRE(contact_tree_visit(&kept.tree, &search) == STATUS_OK);
+        CHECK(patterns[k / 4].convex ? pairs == 0 : pairs < 4L * mesh.flat.triangles);
+        contact_search_clear(&all);
+        close_search(&surface, &kept);
+        scene_clear(&scene);
     }
 }
 
 int main(void)
 {
+    test_patterns();
+    meshed = true;
+    test_sides();
+    test_every_pair();
+    test_sliding();
+    test_approach();
+    test_limit_of_layers();
+    test_limit();
+    meshed = false;
     test_sides();
     test_sheets_alone();
     test_every_pair();

@@ -1,0 +1,44 @@
+/* contact_patch.h - the triangles of a mesh as a tree: their order, and which boxes make up
+ * the pattern around another.
+ *
+ * A box of level l has 2^l triangles that follow each other in the order, or what is left.
+ * A box lies in a rectangle of the pattern, and its patch is that rectangle with its longer
+ * side added all around. Where the part of the pattern in the patch is convex, the straight
+ * line between any two of its points stays on the sheet, in the boxes that meet the patch.
+ */
+#ifndef CONTACT_PATCH_H
+#define CONTACT_PATCH_H
+
+#include "models/contact/contact_surface.h"
+
+struct contact_patches {
+    int *order; /* [cells] triangles                                             owned  */
+    void *room; /* of what follows, all [boxes], level by level from 1           owned  */
+    double (*part)[4]; /* rectangles: least u and v, largest                       [m] */
+    int *first, *end;  /* into near                                                    */
+    bool *convex;      /* what the patch has of the pattern                            */
+    int start[32];     /* of levels                                                    */
+    int count, most;   /* of near                                                      */
+    int *near;         /* boxes of the same level that meet the patch           owned  */
+};
+
+/* Initialises for the triangles of a surface. STATUS_MEMORY. */
+enum status contact_patches_init(struct contact_patches *p,
+                                 const struct contact_surface *s);
+void contact_patches_clear(struct contact_patches *p);
+
+/* Tells whether straight lines between the boxes a and b of a level >= 1 stay on the sheet;
+ * they are then in those of the boxes from *near up to *end that meet `part`. */
+bool contact_patches_between(const struct contact_patches *p, int level, int a, int b,
+                             double part[4], const int **near, const int **end);
+
+/* Tells whether a box of a level meets a part. */
+static inline bool contact_patches_meets(const struct contact_patches *p, int level, int a,
+                                         const double part[4])
+{
+    const double *own = p->part[p->start[level] + a];
+
+    return own[0] <= part[2] && part[0] <= own[2] && own[1] <= part[3] && part[1] <= own[3];
+}
+
+#endif

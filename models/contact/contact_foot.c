@@ -543,15 +543,6 @@ static void point_along(const double n[3], struct contact_foot *foot)
 void contact_foot_place(const struct contact_surface *s, int triangle,
                         const double share[3], double *u, double *v)
 {
-    if (s->mesh.count) {
-        const int *corner = s->mesh.corner[triangle];
-        const double(*at)[2] = s->mesh.at;
-        *u = share[0] * at[corner[0]][0] + share[1] * at[corner[1]][0] +
-             share[2] * at[corner[2]][0];
-        *v = share[0] * at[corner[0]][1] + share[1] * at[corner[1]][1] +
-             share[2] * at[corner[2]][1];
-        return;
-    }
     const double *line_u = s->line[0] + triangle / 2 / s->points[1];
     const double *line_v = s->line[1] + triangle / 2 % s->points[1];
     const double on_u = share[triangle % 2 ? 1 : 2] + (triangle % 2 ? 0 : share[1]);
@@ -569,13 +560,13 @@ static double rise(double x, double low, double high)
     return t * t * (3 - 2 * t);
 }
 
-double contact_foot_far(const struct contact_sheet *sheet, const double uv[2],
-                        const double other[2])
+double contact_foot_far(const struct contact_sheet *sheet, const double uv[3],
+                        const double other[3])
 {
     const struct contact_surface *s = sheet->surface;
     const double apart = sheet->tree->apart;
     if (s->mesh.count)
-        return rise(hypot(other[0] - uv[0], other[1] - uv[1]), apart, whole_apart * apart);
+        return rise(vector_distance(uv, other), apart, whole_apart * apart);
     const double *start = contact_surface_sheet(s, uv[0]);
     const double du =
         (other[0] - uv[0]) * (s->flat[0][s->rows - 1] / (start[s->rows - 1] - *start));
@@ -606,12 +597,22 @@ static double strength(const struct contact_sheet *sheet, double cosine,
 
     if (!near)
         return seen;
-    const double to[2] = {foot->u, foot->v};
+    const double to[3] = {foot->u, foot->v, foot->w};
     if (s->mesh.count)
-        return seen * contact_foot_far(sheet, s->mesh.at[foot->sample], to);
-    const double uv[2] = {s->line[0][foot->sample / s->points[1]],
+        return seen * contact_foot_far(sheet, sheet->tree->flat[foot->sample], to);
+    const double uv[3] = {s->line[0][foot->sample / s->points[1]],
                           s->line[1][foot->sample % s->points[1]]};
     return seen * contact_foot_far(sheet, uv, to);
+}
+
+static void place_on_mesh(const struct contact_tree *t, const int corner[3],
+                          const double share[3], struct contact_foot *foot)
+{
+    double *to[3] = {&foot->u, &foot->v, &foot->w};
+
+    for (int i = 0; i < 3; i++)
+        *to[i] = share[0] * t->flat[corner[0]][i] + share[1] * t->flat[corner[1]][i] +
+                 share[2] * t->flat[corner[2]][i];
 }
 
 /* Computes a net's foot from its triangle, the shares in the face, those within the sheet,
@@ -625,7 +626,10 @@ static void fill(const struct contact_sheet *sheet, const struct contact_place *
     int corner[3];
 
     contact_foot_corners(s, triangle, corner);
-    contact_foot_place(s, triangle, share, &foot->u, &foot->v);
+    if (s->mesh.count)
+        place_on_mesh(sheet->tree, corner, share, foot);
+    else
+        contact_foot_place(s, triangle, share, &foot->u, &foot->v);
     foot->strength =
         strength(sheet, place->square_cos, foot,
                  contact_tree_near(sheet->tree, surely_apart * sheet->tree->apart,

@@ -50,7 +50,7 @@ struct contact_foot {
     int sample;
     int side; /* of its sample: 0 above, along the normal, 1 below                   */
     int first, count; /* its nodes and weights in the lists of contact_search         */
-    double u, v;      /* of a mesh: its place in the pattern [m] */
+    double u, v, w;   /* of a mesh: its place for distances along it (tree's flat) [m] */
     double distance;  /*                                                     [m] >= 0 */
     double normal[3]; /* unit, from the foot to the sample                             */
     double strength;  /* its share in the law, 0 to 1                                  */
@@ -102,8 +102,7 @@ static inline struct contact_face contact_foot_face(const double *y, int sample,
  * the closest point, as contact_face_nearest does. */
 double contact_foot_nearest(const double y[3], const double *const p[3], double share[3]);
 
-/* Computes the parameters of a point of a triangle, on a mesh its place in the pattern [m].
- */
+/* Computes the parameters of a point of a triangle of a grid. */
 void contact_foot_place(const struct contact_surface *s, int triangle,
                         const double share[3], double *u, double *v);
 
@@ -143,11 +142,12 @@ void contact_foot_refine(const struct contact_sheet *sheet, int count,
                          const struct contact_place *const *place,
                          struct contact_foot *foot, int *node, double *weight);
 
-/* Return shares of a foot in the law, 0 to 1: of two places (u,v), 0 where they are near
+/* Return shares of a foot in the law, 0 to 1: of two places (u,v), of a
+ * mesh in the tree's flat, 0 where they are near
  * along the sheet; and of the squared cosine of the angle to the face's normal under which
  * a foot is seen, 0 from 45 degrees on. Forces would else jump. */
-double contact_foot_far(const struct contact_sheet *sheet, const double uv[2],
-                        const double other[2]);
+double contact_foot_far(const struct contact_sheet *sheet, const double uv[3],
+                        const double other[3]);
 double contact_foot_seen(double square);
 
 #endif

@@ -22,7 +22,7 @@ void contact_patches_clear(struct contact_patches *p)
 
 /* A triangle at its middle. */
 struct spot {
-    double at[2];
+    double at[3];
     int triangle;
 };
 
@@ -43,22 +43,30 @@ static int along_v(const void *a, const void *b)
     return compare(a, b, 1);
 }
 
+static int along_w(const void *a, const void *b)
+{
+    return compare(a, b, 2);
+}
+
 /* Sorts triangles so that each box holds a part that is cut off straight across its longer
  * side. */
 static void bisect(struct spot *spot, int count)
 {
-    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
-    int half = 1;
+    static int (*const along[])(const void *, const void *) = {along_u, along_v, along_w};
+    double low[3] = {INFINITY, INFINITY, INFINITY};
+    double high[3] = {-INFINITY, -INFINITY, -INFINITY};
+    int half = 1, longest = 0;
 
     if (count < 2)
         return;
     for (int n = 0; n < count; n++)
-        for (int d = 0; d < 2; d++) {
+        for (int d = 0; d < 3; d++) {
             low[d] = fmin(low[d], spot[n].at[d]);
             high[d] = fmax(high[d], spot[n].at[d]);
         }
-    qsort(spot, (size_t)count, sizeof *spot,
-          high[0] - low[0] >= high[1] - low[1] ? along_u : along_v);
+    for (int d = 1; d < 3; d++)
+        longest = high[d] - low[d] > high[longest] - low[longest] ? d : longest;
+    qsort(spot, (size_t)count, sizeof *spot, along[longest]);
     while (2 * half < count)
         half *= 2;
     bisect(spot, half);
@@ -73,8 +81,12 @@ static enum status find_order(const struct contact_triangles *mesh, int *order)
         return STATUS_MEMORY;
     for (int n = 0; n < mesh->count; n++) {
         spot[n].triangle = n;
-        for (int k = 0; k < 6; k++)
-            spot[n].at[k % 2] += mesh->at[mesh->corner[n][k / 2]][k % 2];
+        for (int k = 0; k < 9; k++) {
+            const int corner = mesh->corner[n][k / 3];
+            spot[n].at[k % 3] += mesh->start ? mesh->start[corner][k % 3]
+                                 : k % 3 < 2 ? mesh->at[corner][k % 3]
+                                             : 0;
+        }
     }
     bisect(spot, mesh->count);
     for (int n = 0; n < mesh->count; n++)
@@ -258,6 +270,8 @@ enum status contact_patches_init(struct contact_patches *p, const struct contact
     if (!p->order)
         TRY(STATUS_MEMORY);
     TRY(find_order(mesh, p->order));
+    if (mesh->start)
+        goto out;
     fit_parts(&w);
     for (int l = w.levels - 1; l > 0; l--)
         for (int n = 0; n < w.boxes[l]; n++) {

@@ -5,6 +5,7 @@
  * A box lies in a rectangle of the pattern, and its patch is that rectangle with its longer
  * side added all around. Where the part of the pattern in the patch is convex, the straight
  * line between any two of its points stays on the sheet, in the boxes that meet the patch.
+ * What is sewn together has an order only, by where it starts: no patch counts as convex.
  */
 #ifndef CONTACT_PATCH_H
 #define CONTACT_PATCH_H

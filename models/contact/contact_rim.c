@@ -157,16 +157,18 @@ out:
 struct place {
     int end[2];
     double at;
-    double uv[2], y[3];
+    double uv[3], y[3]; /* uv: of a mesh the place in the tree's flat                */
 };
 
 /* Computes the parameters of a place, those of the sheet's ends beyond them. */
-static void find_uv(const struct contact_surface *s, struct place *p)
+static void find_uv(const struct contact_sheet *sheet, struct place *p)
 {
+    const struct contact_surface *s = sheet->surface;
+    const double(*flat)[3] = (const double(*)[3])sheet->tree->flat;
+
     if (s->mesh.count) {
-        for (int d = 0; d < 2; d++)
-            p->uv[d] =
-                (1 - p->at) * s->mesh.at[p->end[0]][d] + p->at * s->mesh.at[p->end[1]][d];
+        for (int d = 0; d < 3; d++)
+            p->uv[d] = (1 - p->at) * flat[p->end[0]][d] + p->at * flat[p->end[1]][d];
         return;
     }
     const double *end = s->line[0] + p->end[0] / s->points[1] / s->rows * s->rows;
@@ -187,7 +189,7 @@ static int locate(const struct contact_sheet *sheet, struct place *p, int *node,
     const struct contact_surface *s = sheet->surface;
     const double share[] = {1 - p->at, p->at};
 
-    find_uv(s, p);
+    find_uv(sheet, p);
     const int count = s->smooth ? s->row(s->self, p->uv[0], p->uv[1], node, weight)
                                 : contact_surface_mix(s, 2, p->end, share, node, weight);
     memset(p->y, 0, sizeof p->y);
@@ -200,8 +202,9 @@ static int locate(const struct contact_sheet *sheet, struct place *p, int *node,
 /* Returns the length at rest of an edge. */
 static double length_of(const struct contact_tree *tree, const int end[2])
 {
-    return hypot(tree->flat[end[1]][0] - tree->flat[end[0]][0],
-                 tree->flat[end[1]][1] - tree->flat[end[0]][1]);
+    const double *a = tree->flat[end[0]], *b = tree->flat[end[1]];
+
+    return hypot(hypot(b[0] - a[0], b[1] - a[1]), b[2] - a[2]);
 }
 
 /* Moves a foot on a curved rim to the point that is closest to y; it may leave its edge for
@@ -250,7 +253,7 @@ static bool closest(const struct contact_rim *r, const struct place *point, int 
         if (!(square < least))
             continue;
         struct place here = {.end = {c->end[0], c->end[1]}, .at = at};
-        find_uv(r->search->sheet.surface, &here);
+        find_uv(&r->search->sheet, &here);
         if (contact_foot_far(&r->search->sheet, point->uv, here.uv) > 0) {
             least = square, *foot = here;
             any = true;

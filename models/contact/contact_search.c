@@ -664,8 +664,8 @@ static double distance_after(const struct change *c, const struct contact_meetin
         return distance;
     }
     const double distance = contact_foot_between(p, at);
-    double way[2];
-    for (int d = 0; d < 2; d++) {
+    double way[3];
+    for (int d = 0; d < 3; d++) {
         double flat[4];
         for (int k = 0; k < 4; k++)
             flat[k] = c->tree->flat[m->sample[k]][d];
@@ -673,7 +673,7 @@ static double distance_after(const struct change *c, const struct contact_meetin
             flat[0] + at[0] * (flat[1] - flat[0]) - flat[2] - at[1] * (flat[3] - flat[2]);
     }
     way[1] = contact_tree_across(c->tree, way[1]);
-    *near = way[0] * way[0] + way[1] * way[1] < c->apart * c->apart &&
+    *near = way[0] * way[0] + way[1] * way[1] + way[2] * way[2] < c->apart * c->apart &&
             !contact_surface_apart(c->tree->surface, m->sample[0], m->sample[2]);
     return distance;
 }

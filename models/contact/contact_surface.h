@@ -21,8 +21,9 @@ typedef int contact_row(const void *self, double u, double v, int *node, double 
 /* The most nodes of a row of a surface that goes on beyond its ends. */
 enum { CONTACT_SURFACE_NODES = 256 };
 
-/* The triangles of a mesh, all borrowed from it. Places are each sample's own: in a pattern
- * of panels that are sewn together they would be each corner's. */
+/* The triangles of a mesh, all borrowed from it. Distances along a sheet that is sewn
+ * together, whose samples may have several places in the pattern, are those where it
+ * starts, straight across: no farther than along the sheet. */
 struct contact_triangles {
     int count;
     const int (*corner)[3];       /* [count] counter-clockwise in the pattern             */
@@ -30,6 +31,7 @@ struct contact_triangles {
     const struct mesh_edge *edge; /* mesh_flat.h                                          */
     const int *ring_at, *ring;    /* [samples + 1] triangles around samples               */
     const double (*at)[2];        /* [samples] places in the flat pattern           [m]   */
+    const double (*start)[3];     /* [samples] where they start; NULL: in the pattern [m] */
 };
 
 struct contact_surface {

@@ -42,6 +42,17 @@ static void measure_grid(struct contact_tree *t)
     }
 }
 
+static void measure_mesh(struct contact_tree *t)
+{
+    const struct contact_triangles *mesh = &t->surface->mesh;
+
+    for (int k = 0; k < t->surface->count; k++)
+        if (mesh->start)
+            memcpy(t->flat[k], mesh->start[k], sizeof t->flat[k]);
+        else
+            memcpy(t->flat[k], mesh->at[k], sizeof mesh->at[k]);
+}
+
 enum status contact_tree_init(struct contact_tree *t, const struct contact_surface *s,
                               double apart)
 {
@@ -65,7 +76,7 @@ enum status contact_tree_init(struct contact_tree *t, const struct contact_surfa
     for (int l = 1; l < t->levels; l++)
         t->level[l].box = t->boxes + start[l];
     if (s->mesh.count) {
-        memcpy(t->flat, s->mesh.at, (size_t)s->count * sizeof *t->flat);
+        measure_mesh(t);
         TRY(contact_patches_init(&t->patches, s));
     } else {
         measure_grid(t);
@@ -240,6 +251,11 @@ static void set_gradient(const struct contact_tree *t, int triangle,
 
 static void fit_slopes(const struct contact_tree *t, int cell, struct contact_box *box)
 {
+    if (t->surface->mesh.start) { /* no part counts as flat */
+        memset(box->low + ALONG_U, 0, (MOTION - ALONG_U) * sizeof *box->low);
+        memset(box->high + ALONG_U, 0, (MOTION - ALONG_U) * sizeof *box->high);
+        return;
+    }
     if (meshed(t)) {
         set_gradient(t, t->patches.order[cell], box);
         return;

@@ -26,8 +26,8 @@ struct contact_tree {
     const double *y, *d;   /* of contact_tree_fit                            borrowed  */
     void *room;            /* of the arrays                                 owned     */
     double *per_length[2]; /* [points - 1] inverse lengths at rest              [1/m] */
-    double (*flat)[2];     /* [samples] lengths at rest along u and v; places in a mesh's
-                              pattern                                             [m] */
+    double (*flat)[3];     /* [samples] lengths at rest along u and v, 0; places in a mesh's
+                              pattern, or where it starts                         [m] */
     struct contact_patches patches; /* of a mesh                          owned     */
     struct contact_box *boxes;
     struct contact_tree_level {
@@ -55,16 +55,17 @@ static inline double contact_tree_across(const struct contact_tree *t, double wa
 static inline bool contact_tree_near(const struct contact_tree *t, double apart, int sample,
                                      const int corner[3], const double share[3])
 {
-    double du = -t->flat[sample][0], dv = -t->flat[sample][1];
+    double du = -t->flat[sample][0], dv = -t->flat[sample][1], dw = -t->flat[sample][2];
 
     if (contact_surface_apart(t->surface, sample, corner[0]))
         return false;
     for (int k = 0; k < 3; k++) {
         du += share[k] * t->flat[corner[k]][0];
         dv += share[k] * t->flat[corner[k]][1];
+        dw += share[k] * t->flat[corner[k]][2];
     }
     dv = contact_tree_across(t, dv);
-    return du * du + dv * dv < apart * apart;
+    return du * du + dv * dv + dw * dw < apart * apart;
 }
 
 /* Returns the first of a cell's triangles (contact_foot.h); a grid's has the next, too. */

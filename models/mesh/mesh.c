@@ -136,7 +136,7 @@ enum status mesh_contact(const struct mesh *mesh, const struct scene *scene,
             &(struct contact_triangles){
                 mesh->flat.triangles, (const int(*)[3])mesh->flat.triangle,
                 (const int(*)[3])mesh->side, mesh->edge, mesh->ring_at, mesh->ring,
-                (const double(*)[2])mesh->flat.at},
+                (const double(*)[2])mesh->flat.at, (const double(*)[3])mesh->flat.start},
             mesh->scale);
     for (int i = 0; i < 2; i++)
         points[i] = 1 + (int)fmax(1, round(mesh->size[i] / mesh->scale));

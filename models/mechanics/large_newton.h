@@ -36,6 +36,11 @@ struct large_equation {
     int enough;        /* iterations to stop after, converged or not; 0: none          */
 };
 
+/* Computes what the equation leaves at x[nodes][3], also at the held unknowns, in
+ * left[nodes][3]; contact was found there. Uses the first third of m->work. */
+enum status large_newton_left(struct march *m, const struct large_equation *equation,
+                              const double *x, double *left);
+
 /* Solves for x[nodes][3]: predictor on entry, with held unknowns where they shall be;
  * solution on return. Stops when a step is below the tolerance, at most 1e-7 of the sheet's
  * length. Mass that had to be added to the tangent shortens steps before convergence: then

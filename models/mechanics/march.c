@@ -7,6 +7,7 @@
 #include "models/damping.h"
 #include "models/linalg/order.h"
 #include "models/mechanics/pencil.h"
+#include "models/mechanics/reaction.h"
 #include "models/room.h"
 
 const double march_lag = 1.0 / 16; /* integrator_momentum.c */
@@ -55,7 +56,9 @@ static enum status make_room(struct march *m)
     TRY(room_cut(&m->room, ROOM(m->d, 3 * count), ROOM(m->work, 3 * count),
                  ROOM(x, m->x ? 0 : count), ROOM(load, m->load ? 0 : count),
                  ROOM(M, m->mass ? pairs : 0),
-                 ROOM(m->held, 4 * (size_t)m->supports->held_count)));
+                 ROOM(m->held, 4 * (size_t)m->supports->held_count),
+                 ROOM(m->push, m->scene->obstacle_count),
+                 ROOM(m->reaction, m->scene->support_count)));
     m->v = m->d + count, m->a = m->v + count;
     if (x)
         m->x = memcpy(x, m->rest, count * sizeof *x);
@@ -282,17 +285,17 @@ enum status march_step(void *state, struct counters *counters)
 {
     enum status st;
     struct march *m = state;
-    double push[3] = {0};
 
+    reaction_begin(m, m->weighs);
+    m->weighs = false;
     for (int n = 0; n < m->substeps; n++) {
         st = m->integrator->step(m, m->time + n * m->dt, counters);
         system_work(&m->system, counters);
-        if (st != STATUS_OK)
+        if (st != STATUS_OK) {
+            m->weighed = false;
             return st;
-        for (int i = 0; i < 3; i++)
-            push[i] += m->push[i] / m->substeps;
+        }
     }
-    memcpy(m->push, push, sizeof push);
     damp(m);
     if (m->integrator->end)
         m->integrator->end(m, counters);
@@ -314,7 +317,7 @@ void march_contact(const void *state, struct model_contact *contact)
         return;
     }
     contact_report(m->contact, contact);
-    memcpy(contact->force, m->push, sizeof contact->force);
+    contact_force_sum(m->contact, (const double(*)[6])m->push, contact->force);
 }
 
 static double product(size_t count, const double *a, const double *b)
@@ -395,7 +398,9 @@ enum status march_equilibrium(void *state, struct counters *counters, struct mes
     TRY(make_system(m));
     m->time = supports_rest_time(m->supports, m->scene);
     m->started = false;
+    reaction_begin(m, false);
     TRY(m->integrator->rest(m, counters, why));
+    m->weighed = true;
 out:
     return st;
 }

@@ -97,7 +97,11 @@ struct march {
     struct pressure pressure; /* value 0: none                                         */
     struct contact *contact;  /* NULL: nothing to meet                         owned   */
     struct contact_outside outside; /* `printed`, in its place                           */
-    double push[3]; /* force of bodies, mean over the last step      [N]     */
+    double (*push)[6];     /* [obstacles] force and moment of bodies, mean over the last
+                              step                                       [N, N m]  */
+    double (*reaction)[6]; /* [supports] theirs, if that step was weighed              */
+    bool weighs, weighed;  /* the next step is to be (reaction.h), the last one was     */
+    bool clamps;           /* the body is a net, whose clamps turn it by no point's force */
 
     /* The rest is of large displacements. */
     bool full;                      /* a new tangent in each iteration                   */
@@ -199,6 +203,7 @@ void march_follow(struct march *m, double t);
 enum status march_step(void *state, struct counters *counters);
 void march_energy(const void *state, struct energy *energy);
 void march_contact(const void *state, struct model_contact *contact);
+enum status march_forces(void *state, double (*support)[6], double (*body)[6]);
 void march_size(const void *state, struct model_size *size);
 void march_describe(const void *state, struct message *line);
 enum status march_equilibrium(void *state, struct counters *counters, struct message *why);

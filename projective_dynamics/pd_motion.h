@@ -61,8 +61,8 @@ struct pd_motion {
     struct pd_contact contact; /* all zero without obstacles                           */
     double (*push)[6]; /* [obstacles] force and moment, mean over the last frame [N, N m]
                           owned                                                        */
-    double dt, alpha; /* [s], [1/s]                                                    */
-    double span;      /* Euler's step [s]: dt, less with BDF2                          */
+    double dt, alpha;  /* [s], [1/s]                                                    */
+    double span;       /* Euler's step [s]: dt, less with BDF2                          */
     struct pd_backward backward;  /* all zero without BDF2                             */
     const double *origin, *speed; /* where and how fast the span begins, three fields  */
     double radius; /* Chebyshev: of the iteration about the rest shape              */

@@ -419,8 +419,7 @@ enum status contact_init(struct contact *c, const struct scene *scene,
                           .self = contact_law_self(scene)};
     *surface = (struct contact_surface){0};
     TRY(room_cut(&c->arrays, ROOM(c->pose, bodies), ROOM(c->pose_old, bodies),
-                 ROOM(c->landed, bodies),
-                 ROOM(c->x_old, 3 * nodes), ROOM(c->area, nodes),
+                 ROOM(c->landed, bodies), ROOM(c->x_old, 3 * nodes), ROOM(c->area, nodes),
                  ROOM(c->spare, 4 * samples), ROOM(c->near, samples),
                  ROOM(c->pressed, nodes), ROOM(c->meeting, samples),
                  ROOM(c->foretold, 2 * samples), ROOM(c->before, 2 * samples)));

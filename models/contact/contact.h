@@ -171,11 +171,12 @@ enum status contact_project_features(struct contact *c, const double *compliance
                                      const int *held, double *x);
 
 /* Computes change[nodes][3], by the touches with one body, or CONTACT_ANY, which takes
- * from v[nodes][3], the velocity at x after contact_find at the end of a step of the trapezoidal rule, the bounce that is the rule's:
- * it ends with twice the mean velocity less that of its start, so that it throws back what
- * a body stops within a step, and what sticks trembles. Touches that open faster than in
- * the mean of the step, and what sticks, lose a share of the difference; the nodes have a
- * change by their shares of the samples' areas.
+ * from v[nodes][3], the velocity at x after contact_find at the end of a step of the
+ * trapezoidal rule, the bounce that is the rule's: it ends with twice the mean velocity
+ * less that of its start, so that it throws back what a body stops within a step, and what
+ * sticks trembles. Touches that open faster than in the mean of the step, and what sticks,
+ * lose a share of the difference; the nodes have a change by their shares of the samples'
+ * areas.
  *
  * The share is a^2 / (1 + a^2), a = k dt^2 / 2m of the touch's stiffness k and the mass m
  * of its area. The rule makes (1 - a) / (1 + a) of a velocity v_0 that should become

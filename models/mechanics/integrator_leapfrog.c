@@ -139,8 +139,8 @@ static enum status make(struct march *m, const struct discretization *d,
         ROOM(l->krylov, m->beyond ? krylov_cg_work((int)count) : 0),
         ROOM(l->before, meets ? count : 0), ROOM(l->compliance, meets ? count / 3 : 0),
         ROOM(l->fixed, meets ? count : 0),
-        ROOM(l->blow, m->scene->pressure != 0 ? count : 0), ROOM(l->pull, m->supports->held_count),
-        ROOM(l->shift, held)));
+        ROOM(l->blow, m->scene->pressure != 0 ? count : 0),
+        ROOM(l->pull, m->supports->held_count), ROOM(l->shift, held)));
     m->factored = -1;
     TRY(large_body_tangent(&m->body, &large_path_statics, m->rest,
                            (struct large_foresight){0}, m->K));

@@ -33,8 +33,8 @@ void reaction_clamps(const struct scene *scene, int nodes, const double *slope,
 /* Forgets the forces of the last step, and begins those of one that is weighed, or not. */
 void reaction_begin(struct march *m, bool weighed);
 
-/* Adds `share` of the forces of a step that large_newton_solve took, or of an equilibrium, at
- * m->x, where contact was found last. */
+/* Adds `share` of the forces of a step that large_newton_solve took, or of an equilibrium,
+ * at m->x, where contact was found last. */
 enum status reaction_weigh(struct march *m, const struct large_equation *q, double share);
 
 #endif

@@ -215,8 +215,7 @@ void net_forces(struct net *net, double t, double dt, double *slope, double (*su
     memset(support, 0, (size_t)net->scene->support_count * sizeof *support);
     net_weigh(net, t, dt, slope, net->shift, support);
     if (net->contact)
-        memcpy(body, net->contact->push,
-               (size_t)net->scene->obstacle_count * sizeof *body);
+        memcpy(body, net->contact->push, (size_t)net->scene->obstacle_count * sizeof *body);
 }
 
 void net_probe(const void *state, int n, const double *uvw, double *xyz)

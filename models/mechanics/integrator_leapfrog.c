@@ -64,11 +64,13 @@ struct leapfrog {
     double *before;            /* [nodes][3] with contact                                 */
     double *compliance;        /* [nodes] with contact: dt^2 / mass               [m/N]   */
     double *blow;              /* [nodes][3] force of the pressure at x             [N]   */
-    double *pull;              /* [held_count] force less load                            */
-    double *shift;             /* [held_count] with supports that move: the step's way    */
-    double *momentum, *image;  /* [nodes][3] with m->beyond: of the free unknowns at the
-                                  last frame's end [kg m/s]; work                         */
-    double *krylov;            /* with m->beyond: work                                    */
+    double *pull;  /* [held_count] force less load                                       */
+    double *reach; /* [held_count] with m->beyond: beyond a of the last add_beyond       */
+    double *along; /* [frames] as pull, along the ways that are free                     */
+    double *shift; /* [held_count] with supports that move: the step's way    */
+    double *momentum, *image; /* [nodes][3] with m->beyond: of the free unknowns at the
+                                 last frame's end [kg m/s]; work                         */
+    double *krylov;           /* with m->beyond: work                                    */
 };
 
 static double step_of(const struct leapfrog *l)
@@ -140,7 +142,8 @@ static enum status make(struct march *m, const struct discretization *d,
         ROOM(l->before, meets ? count : 0), ROOM(l->compliance, meets ? count / 3 : 0),
         ROOM(l->fixed, meets ? count : 0),
         ROOM(l->blow, m->scene->pressure != 0 ? count : 0),
-        ROOM(l->pull, m->supports->held_count), ROOM(l->shift, held)));
+        ROOM(l->pull, m->supports->held_count), ROOM(l->along, m->supports->frame_count),
+        ROOM(l->reach, m->beyond ? m->supports->held_count : 0), ROOM(l->shift, held)));
     m->factored = -1;
     TRY(large_body_tangent(&m->body, &large_path_statics, m->rest,
                            (struct large_foresight){0}, m->K));
@@ -161,10 +164,13 @@ static void divide(const struct leapfrog *l, double *F)
     supports_from_frames(l->m->supports, F);
 }
 
-/* Adds to a = D^-1 F what the mass lacks of D: D^-1 beyond a. */
+/* Adds to a = D^-1 F what the mass lacks of D: D^-1 beyond a. What is held has to be pulled
+ * against inertia by -beyond a, so that sums of D and velocities are the momentum. */
 static void add_beyond(const struct leapfrog *l, double *a)
 {
     blocks_multiply_mass(l->m->graph, l->m->beyond, a, l->image);
+    for (int h = 0; h < l->m->supports->held_count; h++)
+        l->reach[h] = supports_get(l->m->supports, h, l->image);
     divide(l, l->image);
     for (size_t t = 0; t < march_count(l->m); t++)
         a[t] += l->image[t];
@@ -268,9 +274,14 @@ static enum status accelerate(struct leapfrog *l, struct counters *counters)
     counters->assemblies++;
     for (size_t t = 0; t < march_count(l->m); t++)
         a[t] = m->load[t] - a[t];
+    for (int n = 0; n < m->supports->frame_count; n++)
+        l->along[n] = -vector_dot(m->supports->frame[n].axes,
+                                  a + 3 * (size_t)m->supports->frame[n].node);
     divide(l, a);
     if (m->beyond)
         add_beyond(l, a);
+    for (int h = 0; m->beyond && h < m->supports->held_count; h++)
+        l->pull[h] -= l->reach[h];
 out:
     return st;
 }
@@ -394,6 +405,10 @@ static void weigh(struct leapfrog *l, double share)
     memset(left, 0, march_count(m) * sizeof *left);
     for (int h = 0; h < m->supports->held_count; h++)
         supports_set(m->supports, h, left, -l->pull[h]);
+    for (int n = 0; !m->beyond && n < m->supports->frame_count; n++)
+        for (int i = 0; i < 3; i++)
+            left[3 * (size_t)m->supports->frame[n].node + i] -=
+                l->along[n] * m->supports->frame[n].axes[i];
     reaction_add(m->supports, left, m->x, share, m->reaction);
 }
 
@@ -403,17 +418,16 @@ static void weigh_inertia(struct leapfrog *l)
     struct march *m = l->m;
     const size_t count = march_count(m);
     const double frame = m->dt;
-    double *gain = m->work, *left = gain + count, *lacks = left + count;
+    double *gain = m->work, *left = gain + count, *held = left + count;
 
     if (!m->weighed)
         return;
     for (size_t t = 0; t < count; t++)
         gain[t] = -(m->v[t] - l->v_start[t] + m->alpha * (m->x[t] - l->x_start[t])) / frame;
-    blocks_multiply_mass(m->graph, m->M, gain, left);
-    if (m->beyond)
-        blocks_multiply_mass(m->graph, m->beyond, gain, lacks);
-    for (size_t t = 0; m->beyond && t < count; t++)
-        left[t] -= lacks[t];
+    memset(held, 0, count * sizeof *held);
+    for (int h = 0; h < m->supports->held_count; h++)
+        supports_set(m->supports, h, held, supports_get(m->supports, h, gain));
+    blocks_multiply_mass(m->graph, m->M, m->beyond ? held : gain, left);
     reaction_add(m->supports, left, m->x, 1, m->reaction);
 }
 

@@ -13,7 +13,9 @@
 
 /* Of momentum, in weights, and of its moment, in weights times the length, once iterations
  * end at round-off: that of 1e-16 of positions times the thickness' stiffness. */
-static const double BALANCE = 1e-9;
+#define BALANCE 1e-9
+/* Where a support turns, velocities beside its clamp follow the stretch at a step's end. */
+#define TURNED 5e-4
 /* Newton's iteration ends at changes of this [m]. */
 static const double TIGHT = 1e-13;
 
@@ -37,6 +39,9 @@ static const char still[] = "supports=[{at: {u: 0}, fix: xyz}]",
                   moving[] = "supports=[{at: {u: 0}, fix: xyz}, {at: {u: 1, v: 1}, fix: "
                              "xyz, path: [[0,0,0,0], [0.2,-0.02,0,0.05]]}, {at: {u: 1, v: "
                              "0}, fix: z, path: [[0,0,0,0], [0.2,0,0,0.02]]}]",
+                  turning[] =
+                      "supports=[{at: {u: 0}, fix: xyz}, {at: {u: 1}, fix: xyz, turn: "
+                      "{axis: [1,0.2,0], about: [0.1,0.2,0.3], angles: [[0,0],[1,300]]}}]",
                   empty[] = "obstacles=[]";
 
 static void open_with(struct run *run, const char *scene, const char *model,
@@ -85,8 +90,6 @@ static void momentum_of(const struct march *m, double p[6])
     REQUIRE(y);
     memset(p, 0, 6 * sizeof *p);
     add_momentum(m, m->M, 1, y, p);
-    if (m->beyond)
-        add_momentum(m, m->beyond, -1, y, p);
     free(y);
 }
 
@@ -145,7 +148,7 @@ static void check_bodies(const struct run *run)
 }
 
 /* The change of momentum in a frame is that by all forces; the moments' count. */
-static void balance_frame(struct run *run, int numbers)
+static void balance_frame(struct run *run, int numbers, double off)
 {
     struct march *m = run->state;
     const size_t bytes = march_count(m) * sizeof *m->x;
@@ -160,27 +163,31 @@ static void balance_frame(struct run *run, int numbers)
     add_pushes(run, sum);
     add_loads(m, m->x, x_old, sum);
     for (int i = 0; i < numbers; i++)
-        CHECK_NEAR((p[1][i] - p[0][i]) / step, sum[i], BALANCE * weight_of(run));
+        CHECK_NEAR((p[1][i] - p[0][i]) / step, sum[i], off * weight_of(run));
     free(x_old);
 }
 
 /* In the first frame supports that move jump to their velocity, which is no force. What was
  * not asked for is not known; asking changes no bit. */
-static void balance(const char *model, const char *supports, const char *const *more,
-                    int numbers)
+struct motion_row {
+    const char *model, *more[OPTIONS];
+    int numbers; /* 3: momentum, 6: angular momentum, too */
+    double off;
+};
+
+static void balance(const struct motion_row *row)
 {
-    const char *const all[OPTIONS] = {supports, more[0], more[1], more[2]};
     static double xyz[2][3 * GRID_POINTS];
     double support[4][6], body[2][6];
     struct run run, other;
 
-    open_with(&run, "ground", model, onto_sphere, all);
-    open_with(&other, "ground", model, onto_sphere, all);
+    open_with(&run, "ground", row->model, onto_sphere, row->more);
+    open_with(&other, "ground", row->model, onto_sphere, row->more);
     opened_steps(&run, 1);
     forces_of(&run, support, body);
     CHECK(isnan(support[0][0]));
     for (int n = 1; n < FRAMES; n++)
-        balance_frame(&run, numbers);
+        balance_frame(&run, row->numbers, row->off);
     if (run.scene.obstacle_count)
         check_bodies(&run);
     opened_steps(&other, FRAMES);
@@ -191,35 +198,32 @@ static void balance(const char *model, const char *supports, const char *const *
     run_close(&other);
 }
 
-static void check_motion(void)
-{
-    static const struct {
-        const char *model, *more[OPTIONS];
-        bool turns; /* the scheme keeps angular momentum */
-    } row[] = {
-        {"shell", {NULL}, true},
-        {"hex", {NULL}, true},
-        {"iga", {LARGE}, true},
-        {"triangles", {NULL}, true},
-        {"mass_spring", {SQUARES}, true},
-        {"mass_spring", {KEY "integrator=implicit"}, false},
-        {"triangles", {KEY "mesh=irregular"}, false},
-        {"shell", {LEAPS}, false},
-        {"hex", {LEAPS}, false},
-        {"iga", {LARGE, LEAPS}, false},
-        {"triangles", {LEAPS, KEY "bending=hinge"}, false},
-        {"mass_spring", {KEY "integrator=explicit"}, false},
-        {"shell", {LINEAR, empty}, false},
-        {"hex", {LINEAR, empty}, false},
-        {"iga", {LINEAR, empty}, false},
-    };
-
-    for (size_t n = 0; n < sizeof row / sizeof *row; n++) {
-        balance(row[n].model, moving, row[n].more, 3);
-        if (row[n].turns)
-            balance(row[n].model, still, row[n].more, 6);
-    }
-}
+static const struct motion_row motions[] = {
+    {"shell", {still}, 6, BALANCE},
+    {"hex", {still}, 6, BALANCE},
+    {"iga", {still, LARGE}, 6, BALANCE},
+    {"triangles", {still}, 6, BALANCE},
+    {"mass_spring", {still, SQUARES}, 6, BALANCE},
+    {"shell", {moving}, 3, BALANCE},
+    {"hex", {moving}, 3, BALANCE},
+    {"iga", {moving, LARGE}, 3, BALANCE},
+    {"triangles", {moving}, 3, BALANCE},
+    {"triangles", {moving, KEY "mesh=irregular"}, 3, BALANCE},
+    {"mass_spring", {moving, SQUARES}, 3, BALANCE},
+    {"mass_spring", {moving, KEY "integrator=implicit"}, 3, BALANCE},
+    {"shell", {moving, LEAPS}, 3, BALANCE},
+    {"hex", {moving, LEAPS}, 3, BALANCE},
+    {"iga", {moving, LARGE, LEAPS}, 3, BALANCE},
+    {"triangles", {moving, LEAPS, KEY "bending=hinge"}, 3, BALANCE},
+    {"mass_spring", {moving, KEY "integrator=explicit"}, 3, BALANCE},
+    {"shell", {turning, LEAPS}, 3, BALANCE},
+    {"shell", {turning}, 3, TURNED},
+    {"shell", {still, LEAPS, empty}, 3, BALANCE},
+    {"iga", {still, LARGE, LEAPS, empty}, 3, BALANCE},
+    {"shell", {moving, LINEAR, empty}, 3, BALANCE},
+    {"hex", {moving, LINEAR, empty}, 3, BALANCE},
+    {"iga", {moving, LINEAR, empty}, 3, BALANCE},
+};
 
 /* --- rest --------------------------------------------------------------------------------
  */
@@ -348,6 +352,28 @@ static void check_hung(const struct strip_row *row)
     run_close(&run);
 }
 
+/* Held all over and sped up, a strip needs its mass times that, and its damping's force. */
+static void check_carried(const char *model)
+{
+    const char *const strip[] = {
+        STRIP,
+        "gravity=[0,0,0]",
+        "pose={origin: [0,0,0], u: [1,0,0], v: [0,1,0]}",
+        "supports=[{at: {u: [0,1]}, fix: xyz, path: [[0,0,0,0], [0.005,0,0,0], "
+        "[0.01,1e-4,0,0], [0.015,3e-4,0,0], [0.02,6e-4,0,0]]}]",
+        KEY "substeps=1",
+        NULL};
+    double support[1][6], body[1][6];
+    struct run run;
+
+    open_with(&run, "ground", model, strip, (const char *const[OPTIONS]){NULL});
+    opened_steps(&run, 2);
+    forces_of(&run, support, body);
+    const double mass = 1000 * 0.2 * 0.05 * 0.001, v = 0.03, a = 4, alpha = 100;
+    CHECK_RELATIVE(support[0][0], mass * (a + alpha * v), EXACT);
+    run_close(&run);
+}
+
 /* A belt that is pulled over a quarter of a rod against a weight: the support pulls as
  * exp(mu pi / 2) of what the rod and the support's own part of the belt's weight leave of
  * the vertical; mean over frames, in which points of the net come and go. */
@@ -382,12 +408,16 @@ static void check_belt(void)
 
 int main(void)
 {
-    check_motion();
+    for (size_t n = 0; n < sizeof motions / sizeof *motions; n++)
+        balance(&motions[n]);
     check_rest();
     for (size_t n = 0; n < sizeof strips / sizeof *strips; n++) {
         check_pulled(&strips[n]);
         check_hung(&strips[n]);
     }
+    check_carried("vbd");
+    check_carried("projective_dynamics");
+    check_carried("position_based");
     check_belt();
     return check_result();
 }

@@ -16,6 +16,8 @@
 #define BALANCE 1e-9
 /* Where a support turns, velocities beside its clamp follow the stretch at a step's end. */
 #define TURNED 5e-4
+/* The damping of a clamp of springs resists what is free alone, against the ground. */
+#define CLAMPED 1e-3
 /* Newton's iteration ends at changes of this [m]. */
 static const double TIGHT = 1e-13;
 
@@ -23,7 +25,7 @@ enum { OPTIONS = 5, SETTINGS = 16, FRAMES = 30 };
 
 static const double step = 0.005;
 
-/* A sheet that is held along an edge, and falls onto a sphere. */
+/* A sheet that is held along an edge, and falls onto spheres. */
 static const char *const onto_sphere[] = {
     "sheet={length: 0.5, width: 0.4, thickness: 0.004}",
     "pose={origin: [0.1,0.2,0.3], u: [1,0,0], v: [0,1,0]}",
@@ -42,7 +44,11 @@ static const char still[] = "supports=[{at: {u: 0}, fix: xyz}]",
                   turning[] =
                       "supports=[{at: {u: 0}, fix: xyz}, {at: {u: 1}, fix: xyz, turn: "
                       "{axis: [1,0.2,0], about: [0.1,0.2,0.3], angles: [[0,0],[1,300]]}}]",
-                  empty[] = "obstacles=[]";
+                  empty[] = "obstacles=[]",
+                  stiff[] = "damping={kind: rayleigh, alpha: 0, beta: 0.001}";
+/* This comes to the held edge, within reach of its law. */
+static const char under[] = "obstacles=[{sphere: {center: [0.1,0.4,0.19], radius: 0.1}, "
+                            "path: [[0,0,0,0], [0.05,0,0,0.0083]]}]";
 
 static void open_with(struct run *run, const char *scene, const char *model,
                       const char *const *settings, const char *const *more)
@@ -211,10 +217,14 @@ static const struct motion_row motions[] = {
     {"triangles", {moving, KEY "mesh=irregular"}, 3, BALANCE},
     {"mass_spring", {moving, SQUARES}, 3, BALANCE},
     {"mass_spring", {moving, KEY "integrator=implicit"}, 3, BALANCE},
+    {"mass_spring", {moving, KEY "integrator=implicit", stiff}, 3, CLAMPED},
+    {"shell", {moving, stiff}, 3, BALANCE},
+    {"hex", {moving, LEAPS, stiff}, 3, BALANCE},
     {"shell", {moving, LEAPS}, 3, BALANCE},
     {"hex", {moving, LEAPS}, 3, BALANCE},
     {"iga", {moving, LARGE, LEAPS}, 3, BALANCE},
     {"triangles", {moving, LEAPS, KEY "bending=hinge"}, 3, BALANCE},
+    {"triangles", {still, LEAPS, KEY "bending=hinge", under}, 3, BALANCE},
     {"mass_spring", {moving, KEY "integrator=explicit"}, 3, BALANCE},
     {"shell", {turning, LEAPS}, 3, BALANCE},
     {"shell", {turning}, 3, TURNED},

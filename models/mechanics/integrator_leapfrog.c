@@ -453,7 +453,7 @@ static enum status run(struct leapfrog *l, double t, struct counters *counters)
     double dt = step_of(l), half = m->alpha * dt / 2;
     bool moving = m->supports->moving;
 
-    reaction_begin(m, m->weighed);
+    march_forget(m);
     weigh(l, 0.5 / l->substeps);
     for (int n = 0; n < l->substeps; n++) {
         if (n)

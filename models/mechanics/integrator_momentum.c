@@ -32,7 +32,6 @@
 #include "models/mechanics/contact_system.h"
 #include "models/mechanics/large_newton.h"
 #include "models/mechanics/march_rest.h"
-#include "models/mechanics/reaction.h"
 
 /* A step of Newton's method with an old tangent is good enough if it is this much shorter
  * than the last: an assembly and a factorisation cost as much as three or four of them,
@@ -209,7 +208,7 @@ static enum status substep(struct march *m, double t, double dt, struct counters
     if (m->contact)
         TRY(end_contact(m, dt));
     if (m->weighed)
-        TRY(reaction_weigh(m, &equation, dt / m->scene->step));
+        TRY(large_newton_weigh(m, &equation, dt / m->scene->step));
     if (m->learns)
         learn(m, dt);
     TRY(keep_strains(m, dt));

@@ -6,6 +6,7 @@
 #include "models/contact/contact_hold.h"
 #include "models/mechanics/contact_share.h"
 #include "models/mechanics/newton.h"
+#include "models/mechanics/reaction.h"
 
 /* Steps below this part of the length end the iteration. Sixty of them leave 1e-8 to 2e-7
  * of it (newton.h), a fiftieth of what the best truths are known to. */
@@ -43,7 +44,8 @@ struct equation {
 
 /* --- forces --------------------------------------------------------------------------- */
 
-/* Computes large_newton_left; found: contact_find was called at x. */
+/* Computes what the equation leaves at x, also at held unknowns; found: contact_find was
+ * called at x. */
 static enum status find_left(struct march *m, const struct large_equation *q, bool found,
                              const double *x, double *r)
 {
@@ -83,10 +85,24 @@ static enum status find_left(struct march *m, const struct large_equation *q, bo
     return STATUS_OK;
 }
 
-enum status large_newton_left(struct march *m, const struct large_equation *equation,
-                              const double *x, double *left)
+enum status large_newton_weigh(struct march *m, const struct large_equation *q,
+                               double share)
 {
-    return find_left(m, equation, true, x, left);
+    enum status st;
+    const size_t count = march_count(m);
+    const double g = q->path.g1;
+    double *left = m->work + count, *at = left + count;
+
+    for (size_t t = 0; t < count; t++)
+        at[t] = g == 1 ? m->x[t] : (1 - g) * q->path.x_old[t] + g * m->x[t];
+    if (m->clamps) {
+        TRY(large_body_force(&m->body, &q->path, m->x, left));
+        reaction_clamps(m->scene, m->graph->nodes, left, at, share, m->reaction);
+    }
+    TRY(find_left(m, q, true, m->x, left));
+    reaction_add(m->supports, left, at, share, m->reaction);
+out:
+    return st;
 }
 
 /* Computes n->r. */

@@ -36,10 +36,10 @@ struct large_equation {
     int enough;        /* iterations to stop after, converged or not; 0: none          */
 };
 
-/* Computes what the equation leaves at x[nodes][3], also at the held unknowns, in
- * left[nodes][3]; contact was found there. Uses the first third of m->work. */
-enum status large_newton_left(struct march *m, const struct large_equation *equation,
-                              const double *x, double *left);
+/* Adds `share` of the forces of supports in a step that this equation took, or in an
+ * equilibrium, to m->reaction: at m->x, where contact was found last. Uses m->work. */
+enum status large_newton_weigh(struct march *m, const struct large_equation *equation,
+                               double share);
 
 /* Solves for x[nodes][3]: predictor on entry, with held unknowns where they shall be;
  * solution on return. Stops when a step is below the tolerance, at most 1e-7 of the sheet's

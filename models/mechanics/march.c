@@ -7,7 +7,6 @@
 #include "models/damping.h"
 #include "models/linalg/order.h"
 #include "models/mechanics/pencil.h"
-#include "models/mechanics/reaction.h"
 #include "models/room.h"
 
 const double march_lag = 1.0 / 16; /* integrator_momentum.c */
@@ -270,6 +269,14 @@ void march_follow(struct march *m, double t)
 
 /* --- entries of struct model ---------------------------------------------------------- */
 
+void march_forget(struct march *m)
+{
+    for (int n = 0; n < m->scene->support_count; n++)
+        memset(m->reaction[n], 0, sizeof *m->reaction);
+    for (int o = 0; o < m->scene->obstacle_count; o++)
+        memset(m->push[o], 0, sizeof *m->push);
+}
+
 /* Scales velocities by the scene's damping of velocities; under `printed` all of them: the
  * paper's scheme knows no support here. */
 static void damp(struct march *m)
@@ -286,7 +293,8 @@ enum status march_step(void *state, struct counters *counters)
     enum status st;
     struct march *m = state;
 
-    reaction_begin(m, m->weighs);
+    march_forget(m);
+    m->weighed = m->weighs;
     m->weighs = false;
     for (int n = 0; n < m->substeps; n++) {
         st = m->integrator->step(m, m->time + n * m->dt, counters);
@@ -318,6 +326,19 @@ void march_contact(const void *state, struct model_contact *contact)
     }
     contact_report(m->contact, contact);
     contact_force_sum(m->contact, (const double(*)[6])m->push, contact->force);
+}
+
+enum status march_forces(void *state, double (*support)[6], double (*body)[6])
+{
+    struct march *m = state;
+
+    m->weighs |= !support && !body;
+    for (int n = 0; support && n < 6 * m->scene->support_count; n++)
+        support[n / 6][n % 6] = m->weighed ? m->reaction[n / 6][n % 6] : NAN;
+    for (int n = 0; body && n < 6 * m->scene->obstacle_count; n++)
+        body[n / 6][n % 6] =
+            m->weighed && !m->outside.face[0].count ? m->push[n / 6][n % 6] : NAN;
+    return STATUS_OK;
 }
 
 static double product(size_t count, const double *a, const double *b)
@@ -398,7 +419,8 @@ enum status march_equilibrium(void *state, struct counters *counters, struct mes
     TRY(make_system(m));
     m->time = supports_rest_time(m->supports, m->scene);
     m->started = false;
-    reaction_begin(m, false);
+    march_forget(m);
+    m->weighed = false;
     TRY(m->integrator->rest(m, counters, why));
     m->weighed = true;
 out:

@@ -100,7 +100,7 @@ struct march {
     double (*push)[6];     /* [obstacles] force and moment of bodies, mean over the last
                               step                                       [N, N m]  */
     double (*reaction)[6]; /* [supports] theirs, if that step was weighed              */
-    bool weighs, weighed;  /* the next step is to be (reaction.h), the last one was     */
+    bool weighs, weighed;  /* the next step is to be (march_forces), the last one was     */
     bool clamps;           /* the body is a net, whose clamps turn it by no point's force */
 
     /* The rest is of large displacements. */
@@ -174,6 +174,9 @@ void march_clear(struct march *m);
 
 /* Returns v, brought up to x: nets compute their energies from it. Borrowed. */
 const double *march_velocity(const struct march *m);
+
+/* Forgets the forces of supports and bodies. */
+void march_forget(struct march *m);
 
 /* Notes that x is at rest at time t: no velocity, and no history of steps. */
 void march_still(struct march *m, double t);

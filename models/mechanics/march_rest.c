@@ -307,7 +307,7 @@ enum status march_rest_equilibrium(struct march *m, struct counters *counters,
         TRY(settle(m, counters, why));
         m->rested = true;
         contact_force_bodies(m->contact, m->x, 1, m->push);
-        return reaction_weigh(m, &whole, 1);
+        return large_newton_weigh(m, &whole, 1);
     }
     st = follow(m, LOADING, counters);
     if (status_is_death(st)) {
@@ -324,7 +324,7 @@ enum status march_rest_equilibrium(struct march *m, struct counters *counters,
         status_fail(why, st, "static equilibrium not found: %s", status_text(st));
     m->rested = st == STATUS_OK;
     if (m->rested)
-        TRY(reaction_weigh(m, &whole, 1));
+        TRY(large_newton_weigh(m, &whole, 1));
 out:
     return st;
 }

@@ -8,7 +8,7 @@
 #ifndef REACTION_H
 #define REACTION_H
 
-#include "models/mechanics/large_newton.h"
+#include "models/mechanics/supports.h"
 
 /* Adds `share` of the force [N] and the moment about the origin [N m] that each support
  * exerts to support[][6]: minus left[nodes][3] at the held components, taken at
@@ -29,12 +29,5 @@ void reaction_inertia(const struct supports *s, const struct scene *scene, doubl
  * more than one support none has a moment that is known: NaN. */
 void reaction_clamps(const struct scene *scene, int nodes, const double *slope,
                      const double *at, double share, double (*support)[6]);
-
-/* Forgets the forces of the last step, and begins those of one that is weighed, or not. */
-void reaction_begin(struct march *m, bool weighed);
-
-/* Adds `share` of the forces of a step that large_newton_solve took, or of an equilibrium,
- * at m->x, where contact was found last. */
-enum status reaction_weigh(struct march *m, const struct large_equation *q, double share);
 
 #endif

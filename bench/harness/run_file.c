@@ -114,6 +114,8 @@ static void measure(struct run_file *f)
         metric_turn(&f->run->scene, (const int[]){points[0] - 1, points[1] - 1}, f->xyz);
     l->series[LOOKS_THROUGH][n] = f->through;
     l->energy[n] = f->energy;
+    l->series[LOOKS_REACTION][n] =
+        f->pushers && f->run->scene.support_count ? vector_length(f->push[0]) : NAN;
     for (int k = 0; k < f->pushers; k++)
         memcpy(f->pushed[k * l->room + n], f->push[k], sizeof *f->push);
 }

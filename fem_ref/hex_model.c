@@ -342,6 +342,7 @@ const struct model hex_model = {
     .describe = solid_model_describe,
     .energy = march_energy,
     .contact = march_contact,
+    .forces = march_forces,
     .equilibrium = march_equilibrium,
     .modes = march_modes,
     .matrices = solid_model_matrices,

@@ -814,6 +814,7 @@ const struct model plate_model = {
     .describe = solid_model_describe,
     .energy = march_energy,
     .contact = march_contact,
+    .forces = march_forces,
     .net = solid_model_net,
     .equilibrium = march_equilibrium,
     .modes = march_modes,

@@ -90,6 +90,7 @@ const struct model spring_model = {
     .describe = describe,
     .energy = spring_motion_energy,
     .contact = march_contact,
+    .forces = march_forces,
     .equilibrium = march_equilibrium,
     .clear = spring_motion_clear,
 };

@@ -471,6 +471,35 @@ void pb_motion_energy(const void *motion, struct energy *energy)
     energy->elastic = fmax(elastic(m) - m->rest_energy, 0);
 }
 
+/* PBD's stiffness is that of its iterations: it has no forces. */
+static enum status pb_motion_forces(void *motion, double (*support)[6], double (*body)[6])
+{
+    struct pb_motion *m = motion;
+    double *start = m->work, *d = start + count(m), *slope = d + count(m), value[3];
+    const double t = (double)m->substep / m->substeps * m->net.scene->step;
+
+    if (!support || !body)
+        return STATUS_OK;
+    memset(slope, 0, count(m) * sizeof *slope);
+    for (size_t n = 0; n < count(m); n++) {
+        d[n] = m->dt * m->net.v[n];
+        start[n] = m->net.x[n] - d[n];
+    }
+    add_springs(m, start, d, slope);
+    for (size_t n = 0; n < count(m); n++)
+        start[n] = m->net.x[n] + m->net.beta * m->net.v[n];
+    for (int k = 0; k < m->forms.count; k++) {
+        spring_form_value(&m->forms, k, start, value);
+        spring_form_pull(&m->forms, k, spring_form_of(&m->forms, k)->stiffness, value,
+                         slope);
+    }
+    net_forces(&m->net, t, m->dt, slope, support, body);
+    for (int n = 0; n < 6 * m->net.scene->support_count; n++)
+        if (m->projection == PROJECTION_PBD)
+            support[n / 6][n % 6] = NAN;
+    return STATUS_OK;
+}
+
 /* clang-format off */
 static const struct schema_key options[] = {
     OPTIONS_NET, {"iterations"}, {"parameters"}, {"precision"}, {"mesh"}, {"seed"}, {"refine"},
@@ -541,5 +570,6 @@ const struct model position_based_model = {
     .doubt = doubt,
     .energy = pb_motion_energy,
     .contact = net_touches,
+    .forces = pb_motion_forces,
     .clear = pb_motion_clear,
 };

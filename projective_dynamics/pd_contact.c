@@ -86,7 +86,8 @@ void pd_contact_begin(struct pd_contact *c, double t, double dt, const double *s
     c->law.thin.count = 0;
 }
 
-enum status pd_contact_end(struct pd_contact *c, double factor, double *x, double force[3])
+enum status pd_contact_end(struct pd_contact *c, double factor, double *x, double share,
+                           double (*body)[6])
 {
     enum status st;
     const double areal = c->law.scene->density * c->law.scene->thickness;
@@ -96,7 +97,7 @@ enum status pd_contact_end(struct pd_contact *c, double factor, double *x, doubl
         c->compliance[k] = factor / (areal * c->law.area[k]);
     c->law.thin.count = c->features;
     TRY(contact_project_features(&c->law, c->compliance, c->free_index, c->at));
-    memcpy(force, c->law.force, sizeof c->law.force);
+    contact_force_bodies(&c->law, c->at, share, body);
     separate(c->system->net, c->at, x);
 out:
     c->law.thin.count = 0;

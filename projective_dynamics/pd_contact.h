@@ -67,9 +67,11 @@ void pd_contact_begin(struct pd_contact *c, double t, double dt, const double *s
  * factor: s^2, times the weight by which the result was overshot. */
 enum status pd_contact_apply(struct pd_contact *c, double factor, double *x);
 
-/* Ends a step at x, three fields, outside of what is thinner than the net; force[3]: on the
- * sheet, by that. factor: the move of a unit of mass by a unit of force. */
-enum status pd_contact_end(struct pd_contact *c, double factor, double *x, double force[3]);
+/* Ends a step at x, three fields, outside of what is thinner than the net; adds `share` of
+ * the forces by that to body[obstacles]. factor: the move of a unit of mass by a unit of
+ * force. */
+enum status pd_contact_end(struct pd_contact *c, double factor, double *x, double share,
+                           double (*body)[6]);
 
 /* Finds touches and forces at x, three fields. */
 enum status pd_contact_find(struct pd_contact *c, const double *x);

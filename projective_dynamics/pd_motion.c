@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "models/damping.h"
+#include "models/mechanics/reaction.h"
 #include "models/room.h"
 
 static const double PAPER_DAMPING = 0.005; /* share of the velocity lost a frame       */
@@ -202,7 +203,8 @@ static enum status allocate(struct pd_motion *m)
     for (int n = 0; n < COUNT; n++)
         *fields[n] = m->fields + 3 * n * pd_net_stride(net);
     m->shift = calloc((size_t)m->supports.held_count + 1, sizeof *m->shift);
-    return m->shift ? STATUS_OK : STATUS_MEMORY;
+    m->push = calloc((size_t)m->scene->obstacle_count + 1, sizeof *m->push);
+    return m->shift && m->push ? STATUS_OK : STATUS_MEMORY;
 }
 
 static enum status add_loads(struct pd_motion *m)
@@ -277,6 +279,7 @@ void pd_motion_clear(void *motion)
     pd_net_free_fields(&m->energy.net, m->fields);
     pd_net_free_fields(&m->energy.net, m->dead);
     free(m->shift);
+    free(m->push);
     free(m->backward.room);
     pd_contact_clear(&m->contact);
     pd_local_clear(&m->local);
@@ -419,13 +422,12 @@ static enum status add_push(struct pd_motion *m)
 {
     enum status st;
     const double factor = m->span * m->span / (1 + m->alpha * m->span);
-    double force[3] = {0};
+    const double share = 1.0 / m->options.substeps;
 
     if (m->contact.features)
-        TRY(pd_contact_end(&m->contact, factor, m->x, force));
+        TRY(pd_contact_end(&m->contact, factor, m->x, share, m->push));
     TRY(pd_contact_find(&m->contact, m->x));
-    for (int c = 0; c < 3; c++)
-        m->push[c] += (m->contact.law.force[c] + force[c]) / m->options.substeps;
+    contact_force_bodies(&m->contact.law, m->contact.at, share, m->push);
 out:
     return st;
 }
@@ -455,11 +457,21 @@ out:
     return st;
 }
 
+/* Returns, at a held unknown after find_forces, minus the slope of the elastic energy. */
+static double held_pull(const struct pd_motion *m, int k, ptrdiff_t at)
+{
+    const double inert = 1 + m->alpha * m->span;
+
+    return (m->next[at] + m->system.constant[at] - m->base[at] +
+            inert * m->energy.mass[k] * m->x[at]) /
+           (m->span * m->span);
+}
+
 /* Finds whether the step ends after `done` iterations (arrival.h). */
 static enum status look(struct pd_motion *m, int done, bool *ends)
 {
     const struct pd_net *net = &m->energy.net;
-    const double square = m->span * m->span, inert = 1 + m->alpha * m->span;
+    const double square = m->span * m->span;
     struct arrival_forces sum = {0};
     enum status st;
 
@@ -469,10 +481,7 @@ static enum status look(struct pd_motion *m, int done, bool *ends)
         for (int c = 0; c < 3; c++) {
             const ptrdiff_t at = c * pd_net_stride(net) + k;
             const double v = (m->x[at] - m->origin[at]) / m->span - m->speed[at],
-                         f = m->next[at] / square,
-                         pull = f + (m->system.constant[at] - m->base[at] +
-                                     inert * m->energy.mass[k] * m->x[at]) /
-                                        square;
+                         f = m->next[at] / square, pull = held_pull(m, k, at);
             if (m->system.held[c * net->nodes + k])
                 held += pull * pull;
             else
@@ -596,7 +605,8 @@ enum status pd_motion_frame(void *motion, struct counters *counters)
     enum status st = STATUS_OK;
     struct pd_motion *m = motion;
 
-    memset(m->push, 0, sizeof m->push);
+    for (int o = 0; o < m->scene->obstacle_count; o++)
+        memset(m->push[o], 0, sizeof *m->push);
     for (int n = 0; n < m->options.substeps; n++)
         TRY(step(m, counters));
     counters->factorisations += m->counted ? 0 : m->system.group_count;
@@ -650,5 +660,40 @@ void pd_motion_contact(const void *motion, struct model_contact *contact)
     const struct pd_motion *m = motion;
 
     contact_report(&m->contact.law, contact);
-    memcpy(contact->force, m->push, sizeof contact->force);
+    if (m->contact.system)
+        contact_force_sum(&m->contact.law, (const double(*)[6])m->push, contact->force);
+}
+
+enum status pd_motion_forces(void *motion, double (*support)[6], double (*body)[6])
+{
+    struct pd_motion *m = motion;
+    const struct scene *scene = m->scene;
+    const int nodes = m->energy.net.nodes;
+    double *left, *x, *drag;
+    void *room = NULL;
+    enum status st = STATUS_OK;
+
+    if (!support || !body)
+        return st;
+    for (int n = 0; n < 6 * scene->support_count; n++) /* moments lack those of clamps */
+        support[n / 6][n % 6] = m->frame && n % 6 < 3 ? 0 : NAN;
+    memcpy(body, m->push, (size_t)scene->obstacle_count * sizeof *body);
+    if (!m->frame)
+        return st;
+    TRY(room_cut(&room, ROOM(left, 3 * nodes), ROOM(x, 3 * nodes), ROOM(drag, nodes)));
+    TRY(find_forces(m));
+    for (int u = 0; u < 3 * nodes; u++) {
+        const ptrdiff_t at = place(m, u);
+        x[u] = m->x[at];
+        drag[u / 3] = m->alpha * m->energy.mass[u / 3];
+        left[u] = held_pull(m, u / 3, at) + m->energy.mass[u / 3] * fall(m, u % 3, at);
+    }
+    if (m->contact.system)
+        contact_force(&m->contact.law, left);
+    reaction_inertia(&m->supports, scene, m->time, m->dt, m->energy.mass, drag, m->shift,
+                     left);
+    reaction_add(&m->supports, left, x, 1, support);
+out:
+    free(room);
+    return st;
 }

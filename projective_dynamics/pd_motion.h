@@ -59,9 +59,10 @@ struct pd_motion {
     struct pd_system system;
     struct pd_local local;
     struct pd_contact contact; /* all zero without obstacles                           */
-    double push[3];            /* force of obstacles, mean over the last frame   [N]   */
-    double dt, alpha; /* [s], [1/s]                                                    */
-    double span;      /* Euler's step [s]: dt, less with BDF2                          */
+    double (*push)[6]; /* [obstacles] force and moment, mean over the last frame [N, N m]
+                          owned                                                        */
+    double dt, alpha;  /* [s], [1/s]                                                    */
+    double span;       /* Euler's step [s]: dt, less with BDF2                          */
     struct pd_backward backward;  /* all zero without BDF2                             */
     const double *origin, *speed; /* where and how fast the span begins, three fields  */
     double radius; /* Chebyshev: of the iteration about the rest shape              */
@@ -88,6 +89,7 @@ enum status pd_motion_frame(void *motion, struct counters *counters);
 void pd_motion_energy(const void *motion, struct energy *energy);
 void pd_motion_size(const void *motion, struct model_size *size);
 void pd_motion_contact(const void *motion, struct model_contact *contact);
+enum status pd_motion_forces(void *motion, double (*support)[6], double (*body)[6]);
 
 /* Do the parts of a step, for tests and measurements. begin computes its constants (base,
  * and the free flight as first guess in m->x, the old positions in m->start); iterate does

@@ -156,5 +156,6 @@ const struct model projective_dynamics_model = {
     .doubt = doubt,
     .energy = pd_motion_energy,
     .contact = pd_motion_contact,
+    .forces = pd_motion_forces,
     .clear = pd_motion_clear,
 };

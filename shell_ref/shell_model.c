@@ -284,6 +284,9 @@ static enum status clamp_edges(struct shell *m, struct message *why)
     if (!supports)
         return STATUS_MEMORY;
     held->supports = supports;
+    m->clamp = calloc(2 * count + 1, sizeof *m->clamp);
+    if (!m->clamp)
+        return STATUS_MEMORY;
     m->slopes = scene->support_count;
     for (int n = 0; n < scene->support_count; n++) {
         const struct scene_support *s = &held->supports[n];
@@ -294,8 +297,10 @@ static enum status clamp_edges(struct shell *m, struct message *why)
                             n));
         if (s->fix != FIX_XYZ || s->lo[2] == s->hi[2])
             continue;
-        for (int d = 0; d < 2; d++)
+        for (int d = 0; d < 2; d++) {
+            m->clamp[held->support_count] = n;
             held->support_count += clamp_slope(m, s, d, &supports[held->support_count]);
+        }
     }
     m->scene = held;
 out:
@@ -374,6 +379,18 @@ static enum status release(struct shell *m, const double (*uvw)[3])
     return st;
 }
 
+/* Has clamped directions follow their edges' supports, as the scene counts them. */
+static void join(struct shell *m)
+{
+    struct supports *s = &m->supports;
+
+    for (int h = 0; h < s->held_count; h++)
+        s->owner[h] = s->owner[h] < m->slopes ? s->owner[h] : m->clamp[s->owner[h]];
+    for (int n = 0; n < s->frame_count; n++)
+        s->frame[n].owner = m->clamp[s->frame[n].owner];
+    m->held_scene.support_count = m->slopes;
+}
+
 static enum status hold(struct shell *m, struct message *why)
 {
     int nodes = m->space.nodes, rows = bspline_points(&m->space.basis[1]);
@@ -391,6 +408,7 @@ static enum status hold(struct shell *m, struct message *why)
     TRY(supports_init(&m->supports, m->scene, nodes, uvw, m->space.rest, why));
     carry(m);
     TRY(release(m, (const double(*)[3])uvw));
+    join(m);
 out:
     free(uvw);
     return st;
@@ -705,6 +723,7 @@ static void clear(void *state)
     supports_clear(&s->supports);
     shell_assembly_clear(&s->assembly);
     free(s->held_scene.supports);
+    free(s->clamp);
     free(s->parity);
     free(s->room);
     shell_space_clear(&s->space);
@@ -862,6 +881,7 @@ const struct model shell_model = {
     .describe = march_describe,
     .energy = march_energy,
     .contact = march_contact,
+    .forces = march_forces,
     .equilibrium = march_equilibrium,
     .modes = march_modes,
     .matrices = march_matrices,

@@ -38,6 +38,7 @@ struct shell {
     struct scene held_scene;   /* the scene with clamped edges two rows wide; its supports
                                                                                  owned   */
     int slopes; /* the first of these that holds a direction, not an edge             */
+    int *clamp; /* the support of whose edge it is                             owned  */
     struct shell_assembly assembly;
     struct supports supports;
     unsigned char *parity;   /* [nodes][3] or NULL: which components couple       owned  */

@@ -286,6 +286,7 @@ const struct model tri_model = {
     .describe = describe,
     .energy = tri_motion_energy,
     .contact = march_contact,
+    .forces = march_forces,
     .equilibrium = march_equilibrium,
     .modes = tri_motion_modes,
     .matrices = tri_motion_matrices,

@@ -249,6 +249,24 @@ void vb_motion_energy(const void *motion, struct energy *energy)
     energy->elastic = fmax(elastic(m) - m->rest_energy, 0);
 }
 
+static enum status vb_motion_forces(void *motion, double (*support)[6], double (*body)[6])
+{
+    struct vb_motion *m = motion;
+    const double t = (double)m->substep / m->substeps * m->net.scene->step;
+    double *weightless = calloc((size_t)m->net.mesh.nodes, sizeof *weightless);
+
+    if (!weightless)
+        return STATUS_MEMORY;
+    if (support && body) {
+        vb_body_force(&m->body,
+                      &(struct vb_step){weightless, m->target, m->net.supports.free_index},
+                      m->net.x, m->force);
+        net_forces(&m->net, t, m->dt, m->force, support, body);
+    }
+    free(weightless);
+    return STATUS_OK;
+}
+
 /* clang-format off */
 static const struct schema_key options[] = {
     OPTIONS_NET, {"iterations"}, {"mesh"}, {"seed"}, {"refine"},
@@ -353,5 +371,6 @@ const struct model vertex_block_model = {
     .doubt = doubt,
     .energy = vb_motion_energy,
     .contact = net_touches,
+    .forces = vb_motion_forces,
     .clear = vb_motion_clear,
 };

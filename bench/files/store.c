@@ -360,6 +360,18 @@ enum status store_metric(struct store *s, const char *name, const char *unit,
                    why);
 }
 
+enum status store_vectors(struct store *s, struct store_vector vector, const double *value,
+                          int count, struct message *why)
+{
+    const struct hdf5_file_meaning meaning = {vector.unit, "frame, component"};
+    char path[64];
+
+    assert(count == s->frames);
+    snprintf(path, sizeof path, "%s/%s_%d", vector.group, vector.what, vector.number);
+    return written(s, hdf5_file_put_array(s->file, path, meaning, value, count, 3) >= 0,
+                   why);
+}
+
 enum status store_size(struct store *s, const struct model_size *size, struct message *why)
 {
     const char *solver = size->solver ? size->solver : "";

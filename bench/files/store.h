@@ -31,10 +31,12 @@
  *   surface/0, surface/1, ...  [N][3]              double [m], at xyz_time[0], xyz_time[1]
  *   energy/kinetic, energy/elastic, energy/potential   [F]   double [J], NaN if not known
  *   counters/steps, ...                            [F]   work done up to the frame
- *   metrics/NAME      [F]                          double
- *   seconds/create                                 [R]            raw, every repeat
- *   seconds/look                                   [1]            sampling and measuring
- *   seconds/advance                                [R][steps]     raw, every step
+ *   forces/support_0, ..., forces/obstacle_0, ...  [F][3]   double [N], what the scene's
+ *                     supports and obstacles exert on the sheet (model.h), NaN if not
+ * known; moments/support_0, ...                         [F][3]   double [N m], about the
+ * origin metrics/NAME      [F]                          double seconds/create [R] raw,
+ * every repeat seconds/look                                   [1]            sampling and
+ * measuring seconds/advance                                [R][steps]     raw, every step
  *   seconds/equilibrium                            [R][1]         raw
  *   seconds/timed, seconds/processor               [1]   all that was timed together with
  *                     this run; of that, with a processor: less where others want it too
@@ -99,6 +101,15 @@ enum status store_seconds(struct store *store, const char *phase, const double *
  * per name, [a-z_]+. */
 enum status store_metric(struct store *store, const char *name, const char *unit,
                          const double *value, int count, struct message *why);
+
+/* Adds a vector per frame stored so far, value[count][3], as GROUP/WHAT_NUMBER, once each.
+ */
+struct store_vector {
+    const char *group, *unit, *what;
+    int number;
+};
+enum status store_vectors(struct store *store, struct store_vector vector,
+                          const double *value, int count, struct message *why);
 
 /* Adds the size of the model that was built. */
 enum status store_size(struct store *store, const struct model_size *size,

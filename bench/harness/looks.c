@@ -25,6 +25,7 @@ const struct looks_series looks_series[LOOKS_SERIES] = {
                              MEASURE_INTERSECTIONS_END},
     [LOOKS_SPEED] = {"speed", "m/s", NULL, MEASURE_SPEED_MAX, MEASURE_SPEED_END},
     [LOOKS_LOAD] = {"load", "1", NULL, MEASURE_LOAD_MAX, MEASURE_LOAD_END},
+    [LOOKS_REACTION] = {"reaction", "N", NULL, MEASURE_REACTION_MAX, MEASURE_REACTION_END},
     [LOOKS_THROUGH] = {"through", "1", NULL, MEASURE_THROUGH_MAX, -1},
     [LOOKS_SPREAD] = {"spread", "1", metric_spread, MEASURE_SPREAD_MAX, -1},
     [LOOKS_TURN] = {"turn", "rad", NULL, MEASURE_TURN_MAX, -1},

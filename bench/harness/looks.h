@@ -19,6 +19,7 @@ enum {
     LOOKS_INTERSECTIONS, /* NaN: not counted                                           */
     LOOKS_SPEED, /* rms over the grid since the look before; NaN at the first    [m/s] */
     LOOKS_LOAD,  /* force of obstacles against gravity, over the weight; NaN without them */
+    LOOKS_REACTION, /* size of the force of the first support; NaN without         [N] */
     LOOKS_THROUGH, /* steps so far that ended with part of an obstacle through the sheet  */
     LOOKS_SPREAD,  /* of neighbouring stretches                                          */
     LOOKS_TURN,    /* of a cell of the net [rad]; NaN: not measured                      */

@@ -37,6 +37,8 @@
     X(ENERGY_DRIFT_END, energy_drift_end, "1", "share won or lost at the end")             \
     X(LOAD_MAX, load_max, "1", "largest share of the weight that obstacles carry")         \
     X(LOAD_END, load_end, "1", "the same, mean over the last tenth of the time")           \
+    X(REACTION_MAX, reaction_max, "N", "largest force of the first support")               \
+    X(REACTION_END, reaction_end, "N", "the same at the end")                              \
     X(NOT_ARRIVED, not_arrived, "1",                                                       \
       "largest share of a step's loads that iterations left at their limit, or where a "   \
       "chosen number left more than all; 0: none did")                                     \

@@ -28,6 +28,9 @@ struct run_file {
     bool waits;    /* xyz is of a frame that is no look, at:                  */
     double time;
     struct energy energy; /* NaN: the model has none                               */
+    int pushers;          /* supports and obstacles, where their forces are kept     */
+    double (*push)[6];    /* [pushers] of the field, as model.h's forces             */
+    double (*pushed)[6];  /* [pushers][looks' room]                                  */
     double load;          /* carried by obstacles, over the weight */
     double through;       /* steps that ended with part of an obstacle through the sheet */
     struct counters work;
@@ -37,7 +40,7 @@ struct run_file {
     bool created, advanced; /* the caller gave those seconds                           */
     enum status refused;
     struct message sentence, doubt;
-    struct arena arena; /* of truth                                             owned  */
+    struct arena arena; /* of truth and forces                                  owned  */
 };
 
 void run_file_discard(struct run_file *f)
@@ -90,6 +93,12 @@ enum status run_file_open(const struct run *run, const struct run_keep *keep,
     if (keep->truth)
         f->truth =
             arena_take(&f->arena, LOOKS_TRUTH * (size_t)f->looks.room, sizeof *f->truth);
+    if (run->model->forces) {
+        f->pushers = run->scene.support_count + run->scene.obstacle_count;
+        f->push = arena_take(&f->arena, (size_t)f->pushers + 1, sizeof *f->push);
+        f->pushed = arena_take(&f->arena, ((size_t)f->pushers + 1) * (size_t)f->looks.room,
+                               sizeof *f->pushed);
+    }
     CALL(open_store(f, why));
     *file = f, f = NULL;
     return STATUS_OK;
@@ -109,6 +118,10 @@ static void measure(struct run_file *f)
         metric_turn(&f->run->scene, (const int[]){points[0] - 1, points[1] - 1}, f->xyz);
     l->series[LOOKS_THROUGH][n] = f->through;
     l->energy[n] = f->energy;
+    l->series[LOOKS_REACTION][n] =
+        f->pushers && f->run->scene.support_count ? vector_length(f->push[0]) : NAN;
+    for (int k = 0; k < f->pushers; k++)
+        memcpy(f->pushed[k * l->room + n], f->push[k], sizeof *f->push);
 }
 
 /* Returns the share of the sheet's weight that obstacles carry; NaN without either. */
@@ -126,9 +139,10 @@ static double load_of(const struct run *run, const struct model_contact *c)
 
 /* Samples the present state, since a frame may turn out to be a look only after the state
  * has moved on, or died. */
-static void sample(struct run_file *f, double time, const struct counters *work)
+static enum status sample(struct run_file *f, double time, const struct counters *work)
 {
     const struct run *run = f->run;
+    enum status st = STATUS_OK;
 
     model_sample(run->model, run->state, f->xyz);
     run_surface_sample(&f->surface, run->model, run->state);
@@ -142,8 +156,11 @@ static void sample(struct run_file *f, double time, const struct counters *work)
         f->load = load_of(run, &c);
         f->through = (double)c.crossed;
     }
+    if (f->pushers)
+        st = run->model->forces(run->state, f->push, f->push + run->scene.support_count);
     f->time = time;
     f->work = *work;
+    return st;
 }
 
 /* Makes a look of the field that was sampled last. */
@@ -163,37 +180,61 @@ static enum status take(struct run_file *f, bool field, struct message *why)
     return st;
 }
 
+/* Tells whether a frame is a look by its time, or in any case. */
+static bool is_timed(const struct run_file *f, double time)
+{
+    const struct run_keep *keep = f->keep;
+
+    return f->next < keep->times && time > keep->time[f->next] - f->run->scene.step / 2;
+}
+
+static bool is_due(const struct run_file *f, int frames, int last, double time)
+{
+    const int every = f->keep->every;
+
+    return is_timed(f, time) || (every && (frames % every == 0 || frames == last));
+}
+
+/* Has the next frame tell its forces if it is a look: that may cost it something. */
+static enum status ask(struct run_file *f, const struct motion *m)
+{
+    const struct run *run = f->run;
+
+    return f->pushers && is_due(f, m->frames + 1, m->frame_count, m->time + run->scene.step)
+               ? run->model->forces(run->state, NULL, NULL)
+               : STATUS_OK;
+}
+
 enum status run_file_watch(void *context, const struct motion *m, struct message *why)
 {
     struct run_file *f = context;
     const struct run_keep *keep = f->keep;
     const bool all = keep->fields == RUN_FIELDS_ALL;
-    const bool timed =
-        f->next < keep->times && m->time > keep->time[f->next] - f->run->scene.step / 2;
-    const bool due =
-        timed ||
-        (keep->every && (m->frames % keep->every == 0 || m->frames == m->frame_count));
+    const bool timed = is_timed(f, m->time);
+    const bool due = is_due(f, m->frames, m->frame_count, m->time);
     const double start = clock_now();
     enum status st = STATUS_OK;
 
     if (!due && !all)
-        return STATUS_OK;
-    sample(f, m->time, &m->counters);
+        return ask(f, m);
+    TRY(sample(f, m->time, &m->counters));
     f->waits = true;
     f->next += timed;
     if (due && keep->truth)
         keep->truth(keep->context, m->time, f->xyz, f->truth + f->looks.count,
                     f->truth + f->looks.room + f->looks.count);
     if (due)
-        st = take(f, all || (timed && keep->fields == RUN_FIELDS_TIMES), why);
+        TRY(take(f, all || (timed && keep->fields == RUN_FIELDS_TIMES), why));
+    TRY(ask(f, m));
     f->seconds += clock_now() - start;
+out:
     return st;
 }
 
 enum status run_file_rest(struct run_file *f, const struct counters *work,
                           struct message *why)
 {
-    sample(f, 0, work);
+    CALL(sample(f, 0, work));
     return take(f, f->keep->fields != RUN_FIELDS_NONE, why);
 }
 
@@ -211,6 +252,25 @@ enum status run_file_bytes(struct run_file *f, double bytes, struct message *why
     return f->store ? store_number(f->store, "model_bytes", bytes, why) : STATUS_OK;
 }
 
+/* Stores the forces or the moments of a support or an obstacle. */
+static enum status store_push(const struct run_file *f, int pusher, bool moments,
+                              struct message *why)
+{
+    const int supports = f->run->scene.support_count, count = f->looks.count;
+    const bool body = pusher >= supports;
+    const struct store_vector vector = {
+        moments ? "moments" : "forces", moments ? "N m" : "N",
+        body ? "obstacle" : "support", body ? pusher - supports : pusher};
+    double(*value)[3] SCOPED(scope_free) = calloc((size_t)count + 1, sizeof *value);
+
+    if (!value)
+        return STATUS_MEMORY;
+    for (int n = 0; n < count; n++)
+        memcpy(value[n], f->pushed[pusher * f->looks.room + n] + (moments ? 3 : 0),
+               sizeof *value);
+    return store_vectors(f->store, vector, *value, count, why);
+}
+
 static enum status store_series(struct run_file *f, struct message *why)
 {
     const struct looks *l = &f->looks;
@@ -218,6 +278,8 @@ static enum status store_series(struct run_file *f, struct message *why)
     for (int n = 0; n < LOOKS_SERIES; n++)
         CALL(store_metric(f->store, looks_series[n].name, looks_series[n].unit,
                           l->series[n], l->count, why));
+    for (int n = 0; n < 2 * f->pushers; n++)
+        CALL(store_push(f, n / 2, n % 2, why));
     for (int n = 0; n < LOOKS_TRUTH && f->truth; n++)
         CALL(store_metric(f->store, looks_truth[n], "1", f->truth + n * l->room, l->count,
                           why));

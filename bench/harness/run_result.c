@@ -55,7 +55,10 @@ static enum status read_looks(struct store_read *file, const char *path, struct 
     CALL(read_numbers(file, path, "time", count, 1, l->time, why));
     for (int n = 0; n < LOOKS_SERIES; n++) {
         snprintf(name, sizeof name, "metrics/%s", looks_series[n].name);
-        CALL(read_numbers(file, path, name, count, 1, l->series[n], why));
+        for (int k = 0; k < count; k++)
+            l->series[n][k] = NAN;
+        if (n != LOOKS_REACTION || store_read_has(file, name)) /* older files lack it */
+            CALL(read_numbers(file, path, name, count, 1, l->series[n], why));
     }
     CALL(read_numbers(file, path, "energy/kinetic", count, 3, &l->energy->kinetic, why));
     CALL(read_numbers(file, path, "energy/elastic", count, 3, &l->energy->elastic, why));

@@ -242,6 +242,31 @@ void describe_motion(const struct motion *m, FILE *file)
     fprintf(file, "peak memory     %.1f MB\n", 1e-6 * (double)clock_peak_memory());
 }
 
+int describe_forces(const struct run *run, double force[DESCRIBE_FORCES][6])
+{
+    const int supports = run->scene.support_count,
+              count = supports + run->scene.obstacle_count;
+
+    if (!run->model->forces || !count || count > DESCRIBE_FORCES ||
+        run->model->forces(run->state, force, force + supports) != STATUS_OK)
+        return 0;
+    return isnan(force[0][0]) ? 0 : count;
+}
+
+static void add_forces(struct dataset *table, const struct run *run)
+{
+    const int supports = run->scene.support_count;
+    double f[DESCRIBE_FORCES][6];
+
+    for (int n = 0, count = describe_forces(run, f); n < count; n++) {
+        const bool body = n >= supports;
+        dataset_line(table, "force of %s %d", body ? "obstacle" : "support",
+                     body ? n - supports : n);
+        dataset_add(table, "(%.4g, %.4g, %.4g)", f[n][0], f[n][1], f[n][2]);
+        dataset_add(table, "N");
+    }
+}
+
 enum status describe_state(const struct run *run, double t, FILE *file)
 {
     static const struct dataset_column columns[] = {{""}, {"value"}, {"unit"}};
@@ -288,6 +313,7 @@ enum status describe_state(const struct run *run, double t, FILE *file)
             dataset_add(table, "%.6g", row[n].value);
         dataset_add(table, "%s", row[n].unit);
     }
+    add_forces(table, run);
     fputc('\n', file);
     const enum status st =
         printer_table(&(struct printer){TABLE_TEXT, file}, table, NULL, NULL);

@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 
 #include "bench/files/matrix_market.h"
+#include "bench/run/describe.h"
 #include "models/reader/scene_schema.h"
 #include "models/vector.h"
 
@@ -97,6 +98,16 @@ static void tell_contact(struct dataset *t, const struct run *run)
                  c.force[0], c.force[1], c.force[2], c.nodes);
 }
 
+static void tell_forces(struct dataset *t, const struct run *run)
+{
+    double f[DESCRIBE_FORCES][6];
+    const int count = describe_forces(run, f);
+
+    for (int n = 0; count && n < run->scene.support_count; n++)
+        dataset_note(t, "Support %d holds the sheet with (%.7g, %.7g, %.7g) N.", n, f[n][0],
+                     f[n][1], f[n][2]);
+}
+
 enum status statics_print(struct run *run, const struct message *told, struct printer *p)
 {
     static const struct dataset_column columns[] = {
@@ -124,6 +135,7 @@ enum status statics_print(struct run *run, const struct message *told, struct pr
     dataset_note(t, "Energies [J]: elastic %.7g, potential %.7g.", energy.elastic,
                  energy.potential);
     tell_contact(t, run);
+    tell_forces(t, run);
     if (*told->text)
         dataset_note(t, "%s", told->text);
     tell_stability(t, run);

@@ -39,7 +39,8 @@ static void clear_totals(struct contact *c)
 {
     c->energy = 0;
     c->least = INFINITY;
-    memset(c->force, 0, sizeof c->force);
+    for (int o = 0; o < c->scene->obstacle_count; o++)
+        memset(c->landed[o], 0, sizeof *c->landed);
 }
 
 /* Appends the nodes and weights of a place, or of a foot, with the sign -1. */
@@ -327,15 +328,13 @@ static void take_mean(const struct contact_law *law, double D_old, const double 
         t->normal[i] = mean[i] / size;
 }
 
-/* Adds a touch's pressure and friction to the totals. */
+/* Adds a touch's pressure to the totals. */
 static void add_total(struct contact *c, const struct contact_touch *t)
 {
     const struct contact_law *law = law_of(c, t);
 
     c->least = fmin(c->least, t->D - law->start);
     c->energy += t->area * contact_law_potential(law, t->D);
-    for (int i = 0; t->obstacle >= 0 && i < 3; i++)
-        c->force[i] += t->push * t->normal[i] + t->rub[i];
 }
 
 /* Returns the distance of a sample that a step leads to y, D from a body, as seen from the
@@ -420,7 +419,7 @@ enum status contact_init(struct contact *c, const struct scene *scene,
                           .self = contact_law_self(scene)};
     *surface = (struct contact_surface){0};
     TRY(room_cut(&c->arrays, ROOM(c->pose, bodies), ROOM(c->pose_old, bodies),
-                 ROOM(c->x_old, 3 * nodes), ROOM(c->area, nodes),
+                 ROOM(c->landed, bodies), ROOM(c->x_old, 3 * nodes), ROOM(c->area, nodes),
                  ROOM(c->spare, 4 * samples), ROOM(c->near, samples),
                  ROOM(c->pressed, nodes), ROOM(c->meeting, samples),
                  ROOM(c->foretold, 2 * samples), ROOM(c->before, 2 * samples)));
@@ -640,6 +639,39 @@ void contact_force(const struct contact *c, double *force)
                     c->weight[k] * (t->push * t->normal[i] + t->rub[i]);
 }
 
+void contact_force_bodies(const struct contact *c, const double *x, double share,
+                          double (*body)[6])
+{
+    for (int o = 0; o < c->scene->obstacle_count; o++)
+        for (int i = 0; i < 6; i++)
+            body[o][i] += share * c->landed[o][i];
+    for (const struct contact_touch *t = c->touch; t < c->touch + c->count; t++) {
+        double at[3] = {0}, force[3], moment[3];
+        if (t->obstacle < 0)
+            continue;
+        for (int k = t->first; k < t->first + t->count; k++)
+            for (int i = 0; i < 3; i++) {
+                const size_t u = 3 * (size_t)c->node[k] + i;
+                at[i] += c->weight[k] * (c->middle ? (c->x_old[u] + x[u]) / 2 : x[u]);
+            }
+        for (int i = 0; i < 3; i++)
+            force[i] = t->push * t->normal[i] + t->rub[i];
+        vector_cross(at, force, moment);
+        for (int i = 0; i < 3; i++) {
+            body[t->obstacle][i] += share * force[i];
+            body[t->obstacle][3 + i] += share * moment[i];
+        }
+    }
+}
+
+void contact_force_sum(const struct contact *c, const double (*body)[6], double force[3])
+{
+    memset(force, 0, 3 * sizeof *force);
+    for (int o = 0; o < c->scene->obstacle_count; o++)
+        for (int i = 0; i < 3; i++)
+            force[i] += body[o][i];
+}
+
 /* Returns the share of the step's bounce that the velocity of a touch loses, by the
  * stiffness [N/m] of its force and the area whose mass it moves (contact.h). */
 static double bounced(const struct contact *c, double stiffness, double area)
@@ -668,14 +700,14 @@ static void land(const struct contact *c, const struct contact_touch *t, double 
         by[i] = opens * along * t->normal[i] + slips * across[i];
 }
 
-void contact_landing(const struct contact *c, const double *x, const double *v,
-                     double *change)
+void contact_landing(const struct contact *c, int obstacle, const double *x,
+                     const double *v, double *change)
 {
     memset(change, 0, 3 * (size_t)c->surface.nodes * sizeof *change);
     for (const struct contact_touch *t = c->touch; t < c->touch + c->count; t++) {
         const double area = t->obstacle < 0 ? t->area / 2 : t->area; /* both sides move */
         double by[3];
-        if (!(t->push > 0))
+        if (!(t->push > 0) || (obstacle != CONTACT_ANY && t->obstacle != obstacle))
             continue;
         land(c, t, area, x, v, by);
         for (int k = t->first; k < t->first + t->count; k++)
@@ -691,7 +723,6 @@ void contact_report(const struct contact *c, struct model_contact *report)
         .least_gap = c->least, .energy = c->energy, .crossed = c->crossed};
     for (int n = 0; n < c->count; n++)
         report->nodes += c->touch[n].push > 0;
-    memcpy(report->force, c->force, sizeof report->force);
 }
 
 /* --- steps that stay outside ---------------------------------------------------------

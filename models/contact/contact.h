@@ -86,7 +86,8 @@ struct contact {
     double energy;   /* of the last contact_find                            [J]      */
     double least;    /* least D of the same, less the start of its law; of
                         contact_project a lower bound where that is positive [m] */
-    double force[3]; /* on the sheet by bodies, of the same                 [N]      */
+    double (*landed)[6]; /* [obstacles] of contact_force_bodies, what contact_system_land
+                            added to the same                                        */
 };
 
 /* Returns whether the scene has anything to meet: without it nothing here is needed. */
@@ -129,6 +130,15 @@ void contact_grip(const struct contact_touch *t, double K[9]);
 /* Adds the forces of the touches to force[nodes][3]. */
 void contact_force(const struct contact *c, double *force);
 
+/* Adds `share` of what each body exerts on the sheet at x[nodes][3] to body[obstacles]: the
+ * touches' force [N], and its moment about the origin [N m], at the places that forces are
+ * taken at: with `middle` those in the middle of the step. */
+void contact_force_bodies(const struct contact *c, const double *x, double share,
+                          double (*body)[6]);
+
+/* Computes the force of all, model_contact's. */
+void contact_force_sum(const struct contact *c, const double (*body)[6], double force[3]);
+
 /* Cuts a change d of x to the largest share, returned, at most 1, that leaves each sample
  * half of its distance to the wall, or half of the range where that is less. Places of the
  * sheet that allow no more, and that no sample presses apart, as two edges, are touches
@@ -160,22 +170,24 @@ enum status contact_project_bodies(struct contact *c, const double *compliance,
 enum status contact_project_features(struct contact *c, const double *compliance,
                                      const int *held, double *x);
 
-/* Computes change[nodes][3], which takes from v[nodes][3], the velocity at x after
- * contact_find at the end of a step of the trapezoidal rule, the bounce that is the rule's:
- * it ends with twice the mean velocity less that of its start, so that it throws back what
- * a body stops within a step, and what sticks trembles. Touches that open faster than in
- * the mean of the step, and what sticks, lose a share of the difference; the nodes have a
- * change by their shares of the samples' areas.
+/* Computes change[nodes][3], by the touches with one body, or CONTACT_ANY, which takes
+ * from v[nodes][3], the velocity at x after contact_find at the end of a step of the
+ * trapezoidal rule, the bounce that is the rule's: it ends with twice the mean velocity
+ * less that of its start, so that it throws back what a body stops within a step, and what
+ * sticks trembles. Touches that open faster than in the mean of the step, and what sticks,
+ * lose a share of the difference; the nodes have a change by their shares of the samples'
+ * areas.
  *
  * The share is a^2 / (1 + a^2), a = k dt^2 / 2m of the touch's stiffness k and the mass m
  * of its area. The rule makes (1 - a) / (1 + a) of a velocity v_0 that should become
  * e^(-2a) v_0, its mean being v_0 / (1 + a); with the share it makes (1 - a / (1 + a^2)) /
  * (1 + a), which is right to a^2, as the rule is, and never negative. So what a step
  * resolves keeps the order of the rule, and what it does not resolve ends in the step. */
-void contact_landing(const struct contact *c, const double *x, const double *v,
-                     double *change);
+enum { CONTACT_ANY = -2 };
+void contact_landing(const struct contact *c, int obstacle, const double *x,
+                     const double *v, double *change);
 
-/* Fills *report from the last contact_find or contact_project. */
+/* Fills *report from the last contact_find or contact_project, but for the force. */
 void contact_report(const struct contact *c, struct model_contact *report);
 
 #endif

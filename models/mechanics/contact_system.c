@@ -192,23 +192,41 @@ bool contact_system_tangent(const struct contact *c, const double *x,
     return true;
 }
 
+/* Adds forces at x[nodes][3], and their moment. */
+static void add_landed(double factor, int nodes, const double *force, const double *x,
+                       double sum[6])
+{
+    for (int a = 0; a < nodes; a++) {
+        double moment[3];
+        vector_cross(x + 3 * (size_t)a, force + 3 * (size_t)a, moment);
+        for (int i = 0; i < 3; i++) {
+            sum[i] += factor * force[3 * (size_t)a + i];
+            sum[3 + i] += factor * moment[i];
+        }
+    }
+}
+
 void contact_system_land(struct contact *c, const struct blocks *graph, const double *M,
                          const struct supports *held, const double *x, double *v,
                          double *work)
 {
     const size_t count = 3 * (size_t)graph->nodes;
-    double *change = work, *y = work + count, along = 0, square = 0;
+    double *change = work, *y = work + count, *part = y + count, along = 0, square = 0;
 
     if (!c->count)
         return;
-    contact_landing(c, x, v, change);
+    contact_landing(c, CONTACT_ANY, x, v, change);
     supports_zero(held, change);
     blocks_multiply_mass(graph, M, change, y);
     for (size_t k = 0; k < count; k++)
         along -= y[k] * v[k], square += y[k] * change[k];
     const double share = square > 0 ? fmax(0, fmin(1, along / square)) : 0;
-    for (size_t k = 0; k < count; k++) {
-        v[k] += share * change[k];
-        c->force[k % 3] += share * y[k] / c->dt;
+    for (int o = 0; share > 0 && o < c->scene->obstacle_count; o++) {
+        contact_landing(c, o, x, v, part);
+        supports_zero(held, part);
+        blocks_multiply_mass(graph, M, part, y);
+        add_landed(share / c->dt, graph->nodes, y, x, c->landed[o]);
     }
+    for (size_t k = 0; k < count; k++)
+        v[k] += share * change[k];
 }

@@ -18,8 +18,8 @@
 bool contact_system_tangent(const struct contact *c, const double *x,
                             const struct blocks *graph, double (*K)[9]);
 
-/* Changes v[nodes][3] by contact_landing, and the contact's force with it, as far as that
- * takes kinetic energy from the mass M. work[6 nodes]. */
+/* Changes v[nodes][3] by contact_landing, and the bodies' forces with it (landed), as far
+ * as that takes kinetic energy from the mass M. work[9 nodes]. */
 void contact_system_land(struct contact *c, const struct blocks *graph, const double *M,
                          const struct supports *held, const double *x, double *v,
                          double *work);

@@ -28,6 +28,7 @@
 #include "models/linalg/krylov.h"
 #include "models/mechanics/frequency.h"
 #include "models/mechanics/march_rest.h"
+#include "models/mechanics/reaction.h"
 #include "models/room.h"
 #include "models/vector.h"
 
@@ -63,11 +64,13 @@ struct leapfrog {
     double *before;            /* [nodes][3] with contact                                 */
     double *compliance;        /* [nodes] with contact: dt^2 / mass               [m/N]   */
     double *blow;              /* [nodes][3] force of the pressure at x             [N]   */
-    double *pull, *shift;      /* [held_count] with supports that move: force less load,
-                                  and the step's way                                      */
-    double *momentum, *image;  /* [nodes][3] with m->beyond: of the free unknowns at the
-                                  last frame's end [kg m/s]; work                         */
-    double *krylov;            /* with m->beyond: work                                    */
+    double *pull;  /* [held_count] force less load                                       */
+    double *reach; /* [held_count] with m->beyond: beyond a of the last add_beyond       */
+    double *along; /* [frames] as pull, along the ways that are free                     */
+    double *shift; /* [held_count] with supports that move: the step's way    */
+    double *momentum, *image; /* [nodes][3] with m->beyond: of the free unknowns at the
+                                 last frame's end [kg m/s]; work                         */
+    double *krylov;           /* with m->beyond: work                                    */
 };
 
 static double step_of(const struct leapfrog *l)
@@ -138,8 +141,9 @@ static enum status make(struct march *m, const struct discretization *d,
         ROOM(l->krylov, m->beyond ? krylov_cg_work((int)count) : 0),
         ROOM(l->before, meets ? count : 0), ROOM(l->compliance, meets ? count / 3 : 0),
         ROOM(l->fixed, meets ? count : 0),
-        ROOM(l->blow, m->scene->pressure != 0 ? count : 0), ROOM(l->pull, held),
-        ROOM(l->shift, held)));
+        ROOM(l->blow, m->scene->pressure != 0 ? count : 0),
+        ROOM(l->pull, m->supports->held_count), ROOM(l->along, m->supports->frame_count),
+        ROOM(l->reach, m->beyond ? m->supports->held_count : 0), ROOM(l->shift, held)));
     m->factored = -1;
     TRY(large_body_tangent(&m->body, &large_path_statics, m->rest,
                            (struct large_foresight){0}, m->K));
@@ -160,10 +164,13 @@ static void divide(const struct leapfrog *l, double *F)
     supports_from_frames(l->m->supports, F);
 }
 
-/* Adds to a = D^-1 F what the mass lacks of D: D^-1 beyond a. */
+/* Adds to a = D^-1 F what the mass lacks of D: D^-1 beyond a. What is held has to be pulled
+ * against inertia by -beyond a, so that sums of D and velocities are the momentum. */
 static void add_beyond(const struct leapfrog *l, double *a)
 {
     blocks_multiply_mass(l->m->graph, l->m->beyond, a, l->image);
+    for (int h = 0; h < l->m->supports->held_count; h++)
+        l->reach[h] = supports_get(l->m->supports, h, l->image);
     divide(l, l->image);
     for (size_t t = 0; t < march_count(l->m); t++)
         a[t] += l->image[t];
@@ -261,15 +268,20 @@ static enum status accelerate(struct leapfrog *l, struct counters *counters)
     }
     if (rate > 0)
         TRY(large_body_strain(&m->body, m->x, m->strain_old));
-    for (int h = 0; m->supports->moving && h < m->supports->held_count; h++)
+    for (int h = 0; h < m->supports->held_count; h++)
         l->pull[h] =
             supports_get(m->supports, h, a) - supports_get(m->supports, h, m->load);
     counters->assemblies++;
     for (size_t t = 0; t < march_count(l->m); t++)
         a[t] = m->load[t] - a[t];
+    for (int n = 0; n < m->supports->frame_count; n++)
+        l->along[n] = -vector_dot(m->supports->frame[n].axes,
+                                  a + 3 * (size_t)m->supports->frame[n].node);
     divide(l, a);
     if (m->beyond)
         add_beyond(l, a);
+    for (int h = 0; m->beyond && h < m->supports->held_count; h++)
+        l->pull[h] -= l->reach[h];
 out:
     return st;
 }
@@ -373,9 +385,50 @@ static enum status meet(struct leapfrog *l, double t, double dt)
         if (l->fixed[k] >= 0)
             m->v[k] = (m->x[k] - l->before[k]) / dt;
     l->work += contact_body_work(m->contact, m->x);
-    for (int i = 0; i < 3; i++)
-        m->push[i] += m->contact->force[i] / l->substeps;
+    contact_force_bodies(m->contact, m->x, 1.0 / l->substeps, m->push);
+    if (m->weighed && m->contact->count) {
+        memset(m->work, 0, march_count(m) * sizeof *m->work);
+        contact_force(m->contact, m->work);
+        reaction_add(m->supports, m->work, m->x, 1.0 / l->substeps, m->reaction);
+    }
     return st;
+}
+
+/* Adds `share` of what supports have to do against the forces at x. */
+static void weigh(struct leapfrog *l, double share)
+{
+    struct march *m = l->m;
+    double *left = m->work;
+
+    if (!m->weighed)
+        return;
+    memset(left, 0, march_count(m) * sizeof *left);
+    for (int h = 0; h < m->supports->held_count; h++)
+        supports_set(m->supports, h, left, -l->pull[h]);
+    for (int n = 0; !m->beyond && n < m->supports->frame_count; n++)
+        for (int i = 0; i < 3; i++)
+            left[3 * (size_t)m->supports->frame[n].node + i] -=
+                l->along[n] * m->supports->frame[n].axes[i];
+    reaction_add(m->supports, left, m->x, share, m->reaction);
+}
+
+/* Adds what they do against inertia and damping in a frame. */
+static void weigh_inertia(struct leapfrog *l)
+{
+    struct march *m = l->m;
+    const size_t count = march_count(m);
+    const double frame = m->dt;
+    double *gain = m->work, *left = gain + count, *held = left + count;
+
+    if (!m->weighed)
+        return;
+    for (size_t t = 0; t < count; t++)
+        gain[t] = -(m->v[t] - l->v_start[t] + m->alpha * (m->x[t] - l->x_start[t])) / frame;
+    memset(held, 0, count * sizeof *held);
+    for (int h = 0; h < m->supports->held_count; h++)
+        supports_set(m->supports, h, held, supports_get(m->supports, h, gain));
+    blocks_multiply_mass(m->graph, m->M, m->beyond ? held : gain, left);
+    reaction_add(m->supports, left, m->x, 1, m->reaction);
 }
 
 /* Computes v <- keep v + push a where nothing is held. */
@@ -400,7 +453,8 @@ static enum status run(struct leapfrog *l, double t, struct counters *counters)
     double dt = step_of(l), half = m->alpha * dt / 2;
     bool moving = m->supports->moving;
 
-    memset(m->push, 0, sizeof m->push);
+    march_forget(m);
+    weigh(l, 0.5 / l->substeps);
     for (int n = 0; n < l->substeps; n++) {
         if (n)
             kick(l, (1 - half) / (1 + half), dt / (1 + half));
@@ -417,9 +471,11 @@ static enum status run(struct leapfrog *l, double t, struct counters *counters)
         add_work(l);
         TRY(accelerate(l, counters));
         add_work(l);
+        weigh(l, (n < l->substeps - 1 ? 1 : 0.5) / l->substeps);
         counters->substeps++;
     }
     kick(l, 1 / (1 + half), dt / 2 / (1 + half));
+    weigh_inertia(l);
 out:
     return st;
 }
@@ -479,10 +535,10 @@ static enum status step(struct march *m, double t, struct counters *counters)
 
     m->rested = false;
     memcpy(l->x_start, m->x, bytes);
-    memcpy(l->v_start, m->v, bytes);
     for (;;) {
         if (!m->started)
             TRY(begin(l, t, counters));
+        memcpy(l->v_start, m->v, bytes);
         l->least = first ? energy_now(l) : fmin(l->least, energy_now(l));
         l->most = first ? 0 : l->most;
         first = false;

@@ -136,8 +136,7 @@ static enum status end_contact(struct march *m, double dt)
     enum status st = contact_find(m->contact, m->x);
 
     contact_system_land(m->contact, m->graph, m->M, m->supports, m->x, m->v, m->work);
-    for (int i = 0; i < 3; i++)
-        m->push[i] += dt / m->dt * m->contact->force[i];
+    contact_force_bodies(m->contact, m->x, dt / m->scene->step, m->push);
     return st;
 }
 
@@ -208,6 +207,8 @@ static enum status substep(struct march *m, double t, double dt, struct counters
     finish(m, t, dt, x_old);
     if (m->contact)
         TRY(end_contact(m, dt));
+    if (m->weighed)
+        TRY(large_newton_weigh(m, &equation, dt / m->scene->step));
     if (m->learns)
         learn(m, dt);
     TRY(keep_strains(m, dt));
@@ -232,7 +233,6 @@ static enum status step(struct march *m, double time, struct counters *counters)
     int done = 0;
     bool viscous = false;
 
-    memset(m->push, 0, sizeof m->push);
     m->rested = false;
     if (!m->started) {
         march_follow(m, time);

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "models/mechanics/march_rest.h"
+#include "models/mechanics/reaction.h"
 
 double integrator_newmark_k(const struct march *m)
 {
@@ -130,6 +131,25 @@ out:
     return st;
 }
 
+void integrator_newmark_weigh(struct march *m, double share)
+{
+    const size_t count = march_count(m);
+    double *w = m->work, *force = w + count, *left = force + count;
+
+    for (size_t t = 0; t < count; t++)
+        w[t] = m->a[t] + m->alpha * m->v[t] + m->gamma * m->d[t];
+    blocks_multiply_mass(m->graph, m->M, w, force);
+    for (size_t t = 0; t < count; t++) {
+        left[t] = m->load[t] - force[t];
+        w[t] = m->d[t] + m->beta * m->v[t];
+    }
+    blocks_multiply(m->graph, m->stiffness, w, force);
+    for (size_t t = 0; t < count; t++)
+        left[t] -= force[t];
+    reaction_add(m->supports, left, m->kinematics == KINEMATICS_LINEAR ? m->rest : m->x,
+                 share, m->reaction);
+}
+
 static void place(struct march *m)
 {
     for (size_t t = 0; t < march_count(m); t++)
@@ -146,9 +166,13 @@ static enum status step(struct march *m, double t, struct counters *counters)
         held = march_path(m, t, m->dt);
     if (!m->started)
         TRY(begin(m, at, counters));
+    if (m->weighed)
+        integrator_newmark_weigh(m, 0.5);
     if (at)
         held = march_path(m, t + m->dt, m->dt);
     TRY(integrator_newmark_step(m, at, counters));
+    if (m->weighed)
+        integrator_newmark_weigh(m, 0.5);
     place(m);
 out:
     return st;

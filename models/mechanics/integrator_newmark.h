@@ -20,4 +20,8 @@ double integrator_newmark_m(const struct march *m);
 enum status integrator_newmark_step(struct march *m, const struct march_held *held,
                                     struct counters *counters);
 
+/* Adds `share` of the forces of supports at the present d, v and a, by the step's equation.
+ */
+void integrator_newmark_weigh(struct march *m, double share);
+
 #endif

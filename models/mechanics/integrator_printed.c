@@ -66,6 +66,8 @@ static enum status step(struct march *m, double t, struct counters *counters)
     TRY(system_update(&m->system, integrator_newmark_k(m), m->stiffness,
                       integrator_newmark_m(m), m->M));
     TRY(integrator_newmark_step(m, m->supports->moving ? &held : NULL, counters));
+    if (m->weighed)
+        integrator_newmark_weigh(m, 1);
     for (size_t k = 0; k < count; k++)
         m->x[k] += m->d[k];
 out:

@@ -6,6 +6,7 @@
 #include "models/contact/contact_hold.h"
 #include "models/mechanics/contact_share.h"
 #include "models/mechanics/newton.h"
+#include "models/mechanics/reaction.h"
 
 /* Steps below this part of the length end the iteration. Sixty of them leave 1e-8 to 2e-7
  * of it (newton.h), a fiftieth of what the best truths are known to. */
@@ -43,19 +44,19 @@ struct equation {
 
 /* --- forces --------------------------------------------------------------------------- */
 
-/* Computes n->r; found: contact_find was called at n->x. */
-static enum status find_left(struct newton *n, bool found)
+/* Computes what the equation leaves at x, also at held unknowns; found: contact_find was
+ * called at x. */
+static enum status find_left(struct march *m, const struct large_equation *q, bool found,
+                             const double *x, double *r)
 {
-    const struct equation *e = n->self;
-    struct march *m = e->m;
-    const struct large_equation *q = e->q;
-    double *r = n->r, *inertia = m->work;
-    const double *x = n->x, *x_old = q->path.x_old;
+    const size_t count = march_count(m);
+    double *inertia = m->work, *work = m->newton + 2 * count;
+    const double *x_old = q->path.x_old;
     enum status st = large_body_force(&m->body, &q->path, x, r);
 
     if (st != STATUS_OK)
         return st;
-    for (size_t t = 0; t < n->count; t++)
+    for (size_t t = 0; t < count; t++)
         r[t] = q->load * m->load[t] - r[t];
     if (m->pressure.value != 0)
         pressure_force(&m->pressure, q->load, x_old, q->path.g1, x, r);
@@ -67,27 +68,57 @@ static enum status find_left(struct newton *n, bool found)
     }
     if (q->mass == 0)
         return STATUS_OK;
-    for (size_t t = 0; t < n->count; t++)
-        e->work[t] = q->mass * (x[t] - q->hat[t]);
-    blocks_multiply_mass(m->graph, m->M, e->work, inertia);
-    for (size_t t = 0; t < n->count; t++)
+    for (size_t t = 0; t < count; t++)
+        work[t] = q->mass * (x[t] - q->hat[t]);
+    blocks_multiply_mass(m->graph, m->M, work, inertia);
+    for (size_t t = 0; t < count; t++)
         r[t] -= inertia[t];
-    for (size_t t = 0; m->drag && t < n->count; t++)
+    for (size_t t = 0; m->drag && t < count; t++)
         r[t] -= q->drag * m->drag[t / 3] * (x[t] - x_old[t]);
     if (q->viscosity > 0) {
-        for (size_t t = 0; t < n->count; t++)
-            e->work[t] = q->viscosity * (x[t] - x_old[t]);
-        blocks_multiply(m->graph, (const double(*)[9])m->V, e->work, inertia);
-        for (size_t t = 0; t < n->count; t++)
+        for (size_t t = 0; t < count; t++)
+            work[t] = q->viscosity * (x[t] - x_old[t]);
+        blocks_multiply(m->graph, (const double(*)[9])m->V, work, inertia);
+        for (size_t t = 0; t < count; t++)
             r[t] -= inertia[t];
     }
-    supports_lean(m->supports, r);
     return STATUS_OK;
+}
+
+enum status large_newton_weigh(struct march *m, const struct large_equation *q,
+                               double share)
+{
+    enum status st;
+    const size_t count = march_count(m);
+    const double g = q->path.g1;
+    double *left = m->work + count, *at = left + count;
+
+    for (size_t t = 0; t < count; t++)
+        at[t] = g == 1 ? m->x[t] : (1 - g) * q->path.x_old[t] + g * m->x[t];
+    if (m->clamps) {
+        TRY(large_body_force(&m->body, &q->path, m->x, left));
+        reaction_clamps(m->scene, m->graph->nodes, left, at, share, m->reaction);
+    }
+    TRY(find_left(m, q, true, m->x, left));
+    reaction_add(m->supports, left, at, share, m->reaction);
+out:
+    return st;
+}
+
+/* Computes n->r. */
+static enum status find_residual(struct newton *n, bool found)
+{
+    const struct equation *e = n->self;
+    const enum status st = find_left(e->m, e->q, found, n->x, n->r);
+
+    if (st == STATUS_OK && e->q->mass > 0)
+        supports_lean(e->m->supports, n->r);
+    return st;
 }
 
 static enum status residual(struct newton *n)
 {
-    return find_left(n, false);
+    return find_residual(n, false);
 }
 
 /* Tells whether the sheet touched anything where the residual was last computed. */
@@ -238,7 +269,7 @@ static enum status look(void *self, const struct contact_change *c, double *rise
         TRY(contact_find(e->m->contact, c->x));
         *rise += e->before - contact_work(n);
     }
-    st = find_left(n, e->m->contact);
+    st = find_residual(n, e->m->contact);
 out:
     return st;
 }

@@ -36,6 +36,11 @@ struct large_equation {
     int enough;        /* iterations to stop after, converged or not; 0: none          */
 };
 
+/* Adds `share` of the forces of supports in a step that this equation took, or in an
+ * equilibrium, to m->reaction: at m->x, where contact was found last. Uses m->work. */
+enum status large_newton_weigh(struct march *m, const struct large_equation *equation,
+                               double share);
+
 /* Solves for x[nodes][3]: predictor on entry, with held unknowns where they shall be;
  * solution on return. Stops when a step is below the tolerance, at most 1e-7 of the sheet's
  * length. Mass that had to be added to the tangent shortens steps before convergence: then

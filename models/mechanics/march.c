@@ -55,7 +55,9 @@ static enum status make_room(struct march *m)
     TRY(room_cut(&m->room, ROOM(m->d, 3 * count), ROOM(m->work, 3 * count),
                  ROOM(x, m->x ? 0 : count), ROOM(load, m->load ? 0 : count),
                  ROOM(M, m->mass ? pairs : 0),
-                 ROOM(m->held, 4 * (size_t)m->supports->held_count)));
+                 ROOM(m->held, 4 * (size_t)m->supports->held_count),
+                 ROOM(m->push, m->scene->obstacle_count),
+                 ROOM(m->reaction, m->scene->support_count)));
     m->v = m->d + count, m->a = m->v + count;
     if (x)
         m->x = memcpy(x, m->rest, count * sizeof *x);
@@ -267,6 +269,14 @@ void march_follow(struct march *m, double t)
 
 /* --- entries of struct model ---------------------------------------------------------- */
 
+void march_forget(struct march *m)
+{
+    for (int n = 0; n < m->scene->support_count; n++)
+        memset(m->reaction[n], 0, sizeof *m->reaction);
+    for (int o = 0; o < m->scene->obstacle_count; o++)
+        memset(m->push[o], 0, sizeof *m->push);
+}
+
 /* Scales velocities by the scene's damping of velocities; under `printed` all of them: the
  * paper's scheme knows no support here. */
 static void damp(struct march *m)
@@ -282,17 +292,18 @@ enum status march_step(void *state, struct counters *counters)
 {
     enum status st;
     struct march *m = state;
-    double push[3] = {0};
 
+    march_forget(m);
+    m->weighed = m->weighs;
+    m->weighs = false;
     for (int n = 0; n < m->substeps; n++) {
         st = m->integrator->step(m, m->time + n * m->dt, counters);
         system_work(&m->system, counters);
-        if (st != STATUS_OK)
+        if (st != STATUS_OK) {
+            m->weighed = false;
             return st;
-        for (int i = 0; i < 3; i++)
-            push[i] += m->push[i] / m->substeps;
+        }
     }
-    memcpy(m->push, push, sizeof push);
     damp(m);
     if (m->integrator->end)
         m->integrator->end(m, counters);
@@ -314,7 +325,20 @@ void march_contact(const void *state, struct model_contact *contact)
         return;
     }
     contact_report(m->contact, contact);
-    memcpy(contact->force, m->push, sizeof contact->force);
+    contact_force_sum(m->contact, (const double(*)[6])m->push, contact->force);
+}
+
+enum status march_forces(void *state, double (*support)[6], double (*body)[6])
+{
+    struct march *m = state;
+
+    m->weighs |= !support && !body;
+    for (int n = 0; support && n < 6 * m->scene->support_count; n++)
+        support[n / 6][n % 6] = m->weighed ? m->reaction[n / 6][n % 6] : NAN;
+    for (int n = 0; body && n < 6 * m->scene->obstacle_count; n++)
+        body[n / 6][n % 6] =
+            m->weighed && !m->outside.face[0].count ? m->push[n / 6][n % 6] : NAN;
+    return STATUS_OK;
 }
 
 static double product(size_t count, const double *a, const double *b)
@@ -395,7 +419,10 @@ enum status march_equilibrium(void *state, struct counters *counters, struct mes
     TRY(make_system(m));
     m->time = supports_rest_time(m->supports, m->scene);
     m->started = false;
+    march_forget(m);
+    m->weighed = false;
     TRY(m->integrator->rest(m, counters, why));
+    m->weighed = true;
 out:
     return st;
 }

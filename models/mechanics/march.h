@@ -97,7 +97,11 @@ struct march {
     struct pressure pressure; /* value 0: none                                         */
     struct contact *contact;  /* NULL: nothing to meet                         owned   */
     struct contact_outside outside; /* `printed`, in its place                           */
-    double push[3]; /* force of bodies, mean over the last step      [N]     */
+    double (*push)[6];     /* [obstacles] force and moment of bodies, mean over the last
+                              step                                       [N, N m]  */
+    double (*reaction)[6]; /* [supports] theirs, if that step was weighed              */
+    bool weighs, weighed;  /* the next step is to be (march_forces), the last one was     */
+    bool clamps;           /* the body is a net, whose clamps turn it by no point's force */
 
     /* The rest is of large displacements. */
     bool full;                      /* a new tangent in each iteration                   */
@@ -171,6 +175,9 @@ void march_clear(struct march *m);
 /* Returns v, brought up to x: nets compute their energies from it. Borrowed. */
 const double *march_velocity(const struct march *m);
 
+/* Forgets the forces of supports and bodies. */
+void march_forget(struct march *m);
+
 /* Notes that x is at rest at time t: no velocity, and no history of steps. */
 void march_still(struct march *m, double t);
 
@@ -199,6 +206,7 @@ void march_follow(struct march *m, double t);
 enum status march_step(void *state, struct counters *counters);
 void march_energy(const void *state, struct energy *energy);
 void march_contact(const void *state, struct model_contact *contact);
+enum status march_forces(void *state, double (*support)[6], double (*body)[6]);
 void march_size(const void *state, struct model_size *size);
 void march_describe(const void *state, struct message *line);
 enum status march_equilibrium(void *state, struct counters *counters, struct message *why);

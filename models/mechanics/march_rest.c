@@ -7,6 +7,7 @@
 #include "models/mechanics/march.h"
 #include "models/mechanics/large_newton.h"
 #include "models/mechanics/pencil.h"
+#include "models/mechanics/reaction.h"
 #include "models/vector.h"
 
 /* Rest: the unbalanced share of the loads and the supports' reactions is below this. */
@@ -150,8 +151,6 @@ static enum status settle(struct march *m, struct counters *counters, struct mes
         TRY(status_fail(why, STATUS_DIVERGED,
                         "no equilibrium in %d steps: forces of %.3g of the loads are left",
                         n, left));
-    if (m->contact)
-        memcpy(m->push, m->contact->force, sizeof m->push);
     status_fail(why, STATUS_OK,
                 "Relaxed in %d steps: forces of %.2g of the loads are left unbalanced.", n,
                 left);
@@ -300,13 +299,15 @@ enum status march_rest_equilibrium(struct march *m, struct counters *counters,
                                    struct message *why)
 {
     enum status st;
+    const struct large_equation whole = {.path = large_path_statics, .load = 1};
 
     begin(m);
     if (m->contact) {
         place(m, LOADING, 1);
         TRY(settle(m, counters, why));
         m->rested = true;
-        return STATUS_OK;
+        contact_force_bodies(m->contact, m->x, 1, m->push);
+        return large_newton_weigh(m, &whole, 1);
     }
     st = follow(m, LOADING, counters);
     if (status_is_death(st)) {
@@ -322,6 +323,8 @@ enum status march_rest_equilibrium(struct march *m, struct counters *counters,
     else if (status_is_death(st))
         status_fail(why, st, "static equilibrium not found: %s", status_text(st));
     m->rested = st == STATUS_OK;
+    if (m->rested)
+        TRY(large_newton_weigh(m, &whole, 1));
 out:
     return st;
 }
@@ -387,6 +390,10 @@ enum status march_rest_linear(struct march *m, struct counters *counters,
             m->d[t] += r[t];
         change = largest(count, r) / largest(count, m->d);
     }
+    blocks_multiply(m->graph, m->stiffness, m->d, r);
+    for (size_t t = 0; t < count; t++)
+        r[t] = m->load[t] - r[t];
+    reaction_add(m->supports, r, m->rest, 1, m->reaction);
     if (st == STATUS_OK && change > LARGEST_CORRECTION)
         st = STATUS_INDEFINITE;
     if (st == STATUS_INDEFINITE)

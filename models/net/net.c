@@ -5,6 +5,7 @@
 
 #include "models/contact/contact_rest.h"
 #include "models/damping.h"
+#include "models/mechanics/reaction.h"
 #include "models/net/spring_law.h"
 #include "models/room.h"
 
@@ -159,6 +160,7 @@ enum status net_march(struct net *net, struct march *m, const struct discretizat
     m->order = net->order;
     m->surface = surface_of, m->sheet = mesh;
     m->supports = &net->supports;
+    m->clamps = true;
     m->unknowns = mesh->nodes > mesh->vertices ? "mid-surface points and turns of edges"
                                                : "mid-surface points";
     m->euler = d->integrator == INTEGRATOR_IMPLICIT;
@@ -191,6 +193,27 @@ void net_march_energy(const struct net *net, const struct march *m, struct energ
     net_energy(net, march_velocity(m), energy);
     m->body.energy(m->body.self, net->x, &energy->elastic);
     energy->elastic -= net->rest_energy;
+}
+
+void net_weigh(const struct net *net, double t, double dt, double *slope, double *shift,
+               double (*support)[6])
+{
+    reaction_clamps(net->scene, net->mesh.nodes, slope, net->x, 1, support);
+    for (size_t n = 0; n < 3 * (size_t)net->mesh.nodes; n++)
+        slope[n] = net->load[n] - slope[n];
+    if (net->contact)
+        contact_force(&net->contact->law, slope);
+    reaction_inertia(&net->supports, net->scene, t, dt, net->mass, net->drag, shift, slope);
+    reaction_add(&net->supports, slope, net->x, 1, support);
+}
+
+void net_forces(struct net *net, double t, double dt, double *slope, double (*support)[6],
+                double (*body)[6])
+{
+    memset(support, 0, (size_t)net->scene->support_count * sizeof *support);
+    net_weigh(net, t, dt, slope, net->shift, support);
+    if (net->contact)
+        memcpy(body, net->contact->push, (size_t)net->scene->obstacle_count * sizeof *body);
 }
 
 void net_probe(const void *state, int n, const double *uvw, double *xyz)

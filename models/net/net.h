@@ -80,6 +80,16 @@ enum status net_march(struct net *net, struct march *m, const struct discretizat
 void net_energy(const struct net *net, const double *v, struct energy *energy);
 void net_march_energy(const struct net *net, const struct march *m, struct energy *energy);
 
+/* Adds the forces of supports at net->x, at time t of steps of dt [s], to support[]; slope
+ * [nodes][3]: that of the elastic energy, in which it leaves work. shift[held_count] is
+ * work. */
+void net_weigh(const struct net *net, double t, double dt, double *slope, double *shift,
+               double (*support)[6]);
+
+/* Fills model.h's forces, of a net that no march moves: does so, and tells the bodies'. */
+void net_forces(struct net *net, double t, double dt, double *slope, double (*support)[6],
+                double (*body)[6]);
+
 /* Implement model.h's entries for a state that begins with a net: the bilinear surface; the
  * free unknowns, which no system solves for; the contact of the last frame. */
 void net_probe(const void *state, int n, const double *uvw, double *xyz);

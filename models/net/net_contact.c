@@ -10,6 +10,7 @@ void net_contact_free(struct net_contact *c)
         return;
     contact_clear(&c->law);
     free(c->compliance);
+    free(c->push);
     free(c);
 }
 
@@ -30,11 +31,13 @@ enum status net_contact_make(const struct scene *scene, const struct mesh *mesh,
     TRY(mesh_contact(mesh, scene, &surface));
     TRY(contact_init(&c->law, scene, &surface));
     c->compliance = calloc((size_t)mesh->nodes, sizeof *c->compliance);
-    if (!c->compliance)
+    c->push = calloc((size_t)scene->obstacle_count + 1, sizeof *c->push);
+    if (!c->compliance || !c->push)
         TRY(STATUS_MEMORY);
     contact_begin(&c->law, 0, INFINITY, mesh->rest);
     TRY(contact_find(&c->law, mesh->rest));
     contact_report(&c->law, &c->frame);
+    contact_force_bodies(&c->law, mesh->rest, 1, c->push);
     *contact = c, c = NULL;
 out:
     net_contact_free(c);
@@ -43,29 +46,32 @@ out:
 
 void net_contact_frame(struct net_contact *c)
 {
-    if (c)
-        memset(c->frame.force, 0, sizeof c->frame.force);
+    for (int o = 0; c && o < c->law.scene->obstacle_count; o++)
+        memset(c->push[o], 0, sizeof *c->push);
 }
 
 enum status net_contact_project(struct net_contact *c, double t, const double *start,
                                 double *x)
 {
     enum status st = STATUS_OK;
-    struct model_contact now;
 
     if (!c)
         return st;
     contact_begin(&c->law, t - c->dt, c->dt, start);
     TRY(contact_project(&c->law, c->compliance, c->supports->free_index, x));
-    contact_report(&c->law, &now);
-    for (int i = 0; i < 3; i++)
-        now.force[i] = c->frame.force[i] + now.force[i] / c->steps;
-    c->frame = now;
+    contact_report(&c->law, &c->frame);
+    contact_force_bodies(&c->law, x, 1.0 / c->steps, c->push);
 out:
     return st;
 }
 
 struct model_contact net_contact_report(const struct net_contact *c)
 {
-    return c ? c->frame : (struct model_contact){.least_gap = INFINITY};
+    struct model_contact now = {.least_gap = INFINITY};
+
+    if (!c)
+        return now;
+    now = c->frame;
+    contact_force_sum(&c->law, (const double(*)[6])c->push, now.force);
+    return now;
 }

@@ -15,6 +15,7 @@ struct net_contact {
     double dt;                       /* length of a step                       [s]      */
     double *compliance; /* [nodes] move at a step's end by a unit of force [m/N] owned  */
     struct model_contact frame; /* touches and gap at its end, mean force              */
+    double (*push)[6]; /* [obstacles] force and moment of each, the same [N, N m] owned */
 };
 
 /* Makes the contact of a net at rest; *contact is NULL where the scene has none, and the

@@ -388,6 +388,24 @@ static bool all_finite(const double *x, size_t n)
     return none == 0;
 }
 
+/* Weighs the end of a frame: what the sweep does not tell of held points. */
+static enum status weigh(struct march *m)
+{
+    enum status st;
+    const struct spring_leapfrog *l = m->own;
+    const double beta = l->net->beta, t = (double)l->frame * l->scene->step;
+
+    for (size_t n = 0; n < count(l); n++)
+        l->ahead[n] = l->net->x[n] + (beta > 0 ? beta * l->v[n] : 0);
+    TRY(large_body_force(&m->body, &large_path_statics, l->ahead, m->work));
+    net_weigh(l->net, t, l->dt, m->work, l->next, m->reaction);
+    if (l->net->contact)
+        memcpy(m->push, l->net->contact->push,
+               (size_t)l->scene->obstacle_count * sizeof *m->push);
+out:
+    return st;
+}
+
 static enum status step(struct march *m, double t, struct counters *counters)
 {
     enum status st = STATUS_OK;
@@ -408,6 +426,8 @@ static enum status step(struct march *m, double t, struct counters *counters)
     get(l, x, l->v);
     if (!all_finite(x, count(l)))
         return STATUS_NAN;
+    if (m->weighed)
+        TRY(weigh(m));
     if (l->net->keep != 1)
         scale(l, l->net->keep, x);
     follow(l, x);

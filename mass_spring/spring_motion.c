@@ -40,7 +40,8 @@ static enum status make_march(struct spring_motion *m, struct message *why)
     const double cell = fmin(m->net.mesh.cell[0], m->net.mesh.cell[1]);
     const bool implicit = m->integrator == INTEGRATOR_IMPLICIT, grid = m->net.mesh.rows,
                squares = in_squares(m),
-               swept = grid && m->integrator == INTEGRATOR_LEAPFROG;
+               swept = grid && m->integrator == INTEGRATOR_LEAPFROG &&
+                       m->net.scene->air.density == 0; /* which sweeps do not know */
 
     if (!in_squares(m)) {
         d.newton = NEWTON_FULL; /* a tangent costs no more than two of its solutions */

@@ -23,6 +23,7 @@ void scene_clear(struct scene *scene)
         scene_obstacle_clear(&scene->obstacles[i]);
     free(scene->obstacles);
     free(scene->snapshots);
+    free(scene->air.wind);
     free(scene->name);
     free(scene->source);
     free(scene->about);
@@ -160,6 +161,8 @@ unsigned scene_needs(const struct scene *scene)
         needs |= SCENE_NEED_PRESSURE;
     if (scene->drag > 0)
         needs |= SCENE_NEED_DRAG;
+    if (scene->air.density > 0)
+        needs |= SCENE_NEED_AIR;
     if (scene->shape != SCENE_FLAT)
         needs |= SCENE_NEED_CURVED_REST;
     if (scene_closed(scene))
@@ -348,6 +351,15 @@ bool scene_edge_clamped(const struct scene *scene, int sheet, int i, bool end)
     return false;
 }
 
+double scene_wind_speed(const struct scene *s)
+{
+    double most = s->drag > 0 ? vector_length(s->wind) : 0;
+
+    for (int n = 0; n < s->air.wind_count; n++)
+        most = fmax(most, vector_length(s->air.wind[n] + 1));
+    return most;
+}
+
 bool scene_same_across(const struct scene *s)
 {
     bool same = s->shape == SCENE_FLAT && !s->pattern && !s->is_fabric &&
@@ -362,6 +374,8 @@ bool scene_same_across(const struct scene *s)
         for (int k = 0; k < m->path_count; k++)
             same &= vector_dot(m->path[k] + 1, s->axis_v) == 0;
     }
+    for (int n = 0; n < s->air.wind_count; n++)
+        same &= vector_dot(s->air.wind[n] + 1, s->axis_v) == 0;
     for (int n = 0; n < s->load_count; n++)
         same &= s->loads[n].lo[1] <= 0 && s->loads[n].hi[1] >= 1 &&
                 vector_dot(s->loads[n].force, s->axis_v) == 0;

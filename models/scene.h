@@ -112,6 +112,15 @@ struct scene_obstacle {
     struct scene_motion motion; /*                                             owned   */
 };
 
+/* Air that resists what moves through it (models/mechanics/air.h). */
+struct scene_air {
+    double density;    /* 0: there is none                               [kg/m^3]      */
+    double drag[2];    /* coefficients along the normal and along the sheet   [1]      */
+    int wind_count;    /* rows [t, x, y, z] of its velocity, t increasing; linear
+                          between, constant outside; none: still air                   */
+    double (*wind)[4]; /*                                         [s, m/s]     owned   */
+};
+
 struct scene {
     char *name;   /* [a-z0-9_]+                                             owned     */
     char *source; /* where the numbers come from                            owned     */
@@ -145,7 +154,8 @@ struct scene {
     double gravity[3]; /*                                                  [m/s^2] */
     double drag;       /* body drag c, force c (wind - v) per volume  [kg/m^3/s]   */
     double wind[3];    /*                                                  [m/s]   */
-    double pressure;   /* on the face w = 1, against its normal wherever it turns [Pa]  */
+    struct scene_air air;
+    double pressure; /* on the face w = 1, against its normal wherever it turns [Pa]  */
     struct scene_damping damping;
     double velocity[3], spin[3]; /* rigid motion at t = 0: velocity + spin x position,
                                     where nothing holds              [m/s], [rad/s]   */
@@ -186,7 +196,8 @@ struct scene {
     X(SHEETS, "several sheets")                                                            \
     X(OWN_MATERIALS, "sheets with materials of their own")                                 \
     X(TURNING_CLAMPS, "clamps that turn")                                                  \
-    X(OUTLINE, "outlines other than a rectangle, a cone and a ring")
+    X(OUTLINE, "outlines other than a rectangle, a cone and a ring")                       \
+    X(AIR, "air that resists by the normal")
 
 enum scene_need_bit {
 #define SCENE_NEED_BIT(name, sentence) SCENE_NEED_BIT_##name,
@@ -339,6 +350,9 @@ bool scene_is_cantilever(const struct scene *scene);
 /* Tells whether one of the supports holds all of the edge of a sheet where u (i = 0) or v
  * begins, or ends, in x, y, z; it may move. */
 bool scene_edge_clamped(const struct scene *scene, int sheet, int i, bool end);
+
+/* Returns the highest speed of the wind, of drag and of air [m/s]. */
+double scene_wind_speed(const struct scene *scene);
 
 /* Tells whether all that acts on a flat sheet is the same all across it, along v: it moves
  * as a strip. */

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "models/damping.h"
+#include "models/mesh/mesh_air.h"
 #include "models/room.h"
 
 static const double PAPER_DAMPING = 0.005; /* share of the velocity lost a frame       */
@@ -20,7 +21,8 @@ static double fall(const struct pd_motion *m, int c, ptrdiff_t at)
     const struct scene *scene = m->scene;
     double wind = scene->drag * scene->thickness * m->mesh.area[0] / m->energy.mass[0];
 
-    return scene->gravity[c] + wind * scene->wind[c] + (m->dead ? m->dead[at] : 0);
+    return scene->gravity[c] + wind * scene->wind[c] + (m->dead ? m->dead[at] : 0) +
+           (m->blow ? m->blow[at] : 0);
 }
 
 /* --- Chebyshev's acceleration (Wang 2015), held back where the sheet folds: it waits for
@@ -128,6 +130,59 @@ bool pd_motion_take_back(struct pd_motion *m, bool last, int *number, double *va
     return true;
 }
 
+/* --- air ---------------------------------------------------------------------------------
+ */
+
+/* Makes what the air needs; after the loads. */
+static enum status make_air(struct pd_motion *m)
+{
+    enum status st = mesh_air(&m->mesh, m->scene, &m->air);
+    const struct pd_net *net = &m->energy.net;
+    const size_t nodes = (size_t)net->nodes;
+    double *load, *drag;
+
+    if (st != STATUS_OK || m->air.density == 0)
+        return st;
+    TRY(room_cut(&m->room, ROOM(m->gust_x, 3 * nodes), ROOM(m->gust_v, 3 * nodes),
+                 ROOM(m->gust_from, 3 * nodes), ROOM(m->gust.force, 3 * nodes),
+                 ROOM(m->gust.hold, nodes), ROOM(load, 3 * nodes), ROOM(drag, nodes)));
+    for (int k = 0; k < net->nodes; k++) {
+        drag[k] = m->alpha * m->energy.mass[k];
+        for (int c = 0; c < 3; c++)
+            load[3 * k + c] = m->energy.mass[k] * fall(m, c, c * pd_net_stride(net) + k);
+    }
+    m->gust.nodes = net->nodes, m->gust.mass = m->energy.mass;
+    m->gust.load = load, m->gust.drag = drag;
+    m->gust.x = m->gust_x, m->gust.v = m->gust_v, m->gust.from = m->gust_from;
+    if (!(m->blow = pd_net_fields(net, 3)))
+        st = STATUS_MEMORY;
+out:
+    return st;
+}
+
+/* Computes the air's force in a step of `span` from the velocities `from`, on the shape to
+ * which v leads from x in dt; now if both are 0. */
+static void meet_air(struct pd_motion *m, const double *x, double dt, const double *from,
+                     double span)
+{
+    const struct pd_net *net = &m->energy.net;
+
+    if (!m->blow)
+        return;
+    for (int n = 0; n < 3 * net->nodes; n++) {
+        const ptrdiff_t at = n % 3 * pd_net_stride(net) + n / 3;
+        m->gust_v[n] = m->v[at], m->gust_from[n] = from[at];
+        m->gust_x[n] = x[at] + dt * m->v[at];
+    }
+    m->gust.dt = span;
+    air_blow(&m->air, m->scene, m->time + dt);
+    air_ahead(&m->air, &m->gust);
+    for (int n = 0; n < 3 * net->nodes; n++)
+        if (m->energy.mass[n / 3] > 0)
+            m->blow[n % 3 * pd_net_stride(net) + n / 3] =
+                m->gust.force[n] / m->energy.mass[n / 3];
+}
+
 /* --- BDF2 (pd_motion.h) ------------------------------------------------------------------
  */
 
@@ -156,6 +211,7 @@ static enum status remember(struct pd_motion *m)
     b->count = (size_t)(3 * stride - net->pad);
     TRY(room_cut(&b->room, ROOM(b->x, b->count), ROOM(b->v, b->count),
                  ROOM(b->origin, b->count), ROOM(b->speed, b->count)));
+    meet_air(m, m->x, 0, m->v, 0);
     for (int c = 0; c < 3; c++)
         for (int k = 0; k < net->nodes; k++)
             if (!m->system.held[c * net->nodes + k])
@@ -276,6 +332,9 @@ void pd_motion_clear(void *motion)
 
     pd_net_free_fields(&m->energy.net, m->fields);
     pd_net_free_fields(&m->energy.net, m->dead);
+    pd_net_free_fields(&m->energy.net, m->blow);
+    air_clear(&m->air);
+    free(m->room);
     free(m->shift);
     free(m->backward.room);
     pd_contact_clear(&m->contact);
@@ -315,6 +374,7 @@ enum status pd_motion_init(struct pd_motion *m, const struct scene *scene,
         TRY(pd_contact_init(&m->contact, scene, &m->system, mesh, m->supports.free_index));
     TRY(allocate(m));
     TRY(add_loads(m));
+    TRY(make_air(m));
     make_arrival(m);
     if (options->chebyshev)
         TRY(find_radius(m));
@@ -351,6 +411,7 @@ void pd_motion_begin(struct pd_motion *m)
         begin_backward(m);
         m->origin = m->backward.origin, m->speed = m->backward.speed;
     }
+    meet_air(m, m->start, m->dt, m->speed, span);
     for (int c = 0; c < 3; c++) {
         ptrdiff_t first = c * pd_net_stride(net);
         for (int k = 0; k < net->nodes; k++) {

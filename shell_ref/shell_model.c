@@ -201,27 +201,40 @@ static enum status add_loads(struct shell *m)
 }
 
 /* Fills in the functions at the points of the mass, which lie in each element alike. */
-static enum status press(struct shell *m)
+static void fill_functions(struct shell *m, double *shape)
 {
     const struct shell_space *s = &m->space;
     struct shell_element *e = &m->assembly.work[0];
     struct shell_place place[SHELL_MAX_POINTS];
-    const int points = shell_space_places(s, SHELL_MASS, 0, place), local = s->local;
-    enum status st =
-        pressure_init(&m->march.pressure, m->scene, s->elements, points, local, s->ien);
-    double *shape = m->march.pressure.shape;
+    const int local = s->local;
 
-    if (!shape)
-        return st;
-    for (int n = 0; n < s->elements; n++) {
+    for (int n = 0; shape && n < s->elements; n++) {
         const double *T;
-        shell_space_places(s, SHELL_MASS, n, place);
+        const int points = shell_space_places(s, SHELL_MASS, n, place);
         shell_space_functions(s, SHELL_MASS, n, e->at[SHELL_MASS].room, &T);
         for (int q = 0; q < points; q++)
             for (int a = 0; a < SHELL_SLOPES * local; a++)
                 *shape++ = T[a * s->rule[SHELL_MASS].padded + q] *
                            (a < local ? place[q].weight : 1);
     }
+}
+
+/* Makes pressure and air. */
+static enum status press(struct shell *m)
+{
+    enum status st;
+    const struct shell_space *s = &m->space;
+    struct shell_place place[SHELL_MAX_POINTS];
+    const int points = shell_space_places(s, SHELL_MASS, 0, place);
+
+    TRY(pressure_init(&m->march.pressure, m->scene, s->elements, points, s->local, s->ien));
+    TRY(air_init(&m->march.air, m->scene, s->elements, points, s->local));
+    fill_functions(m, m->march.pressure.shape);
+    fill_functions(m, m->march.air.shape);
+    if (m->march.air.node)
+        memcpy(m->march.air.node, s->ien,
+               (size_t)s->elements * (size_t)s->local * sizeof *s->ien);
+out:
     return st;
 }
 
@@ -641,6 +654,10 @@ static enum status refuse(const struct scene *scene, const struct discretization
         return status_fail(why, STATUS_UNSUPPORTED,
                            "pressure that follows the normal: with kinematics=nonlinear "
                            "only");
+    if (scene->air.density > 0 && d->kinematics != KINEMATICS_NONLINEAR)
+        return status_fail(
+            why, STATUS_UNSUPPORTED,
+            "air that resists by the normal: with kinematics=nonlinear only");
     st = check_remedy(d, why);
     return st == STATUS_OK ? model_refuse_options(d, why) : st;
 }
@@ -843,7 +860,7 @@ const struct model shell_model = {
               SCENE_NEED_THICKNESS_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_CURVED_REST |
               SCENE_NEED_CLOSED_REST | SCENE_NEED_INITIAL_MOTION | SCENE_NEED_SHEETS |
               SCENE_NEED_FABRIC | SCENE_NEED_BIAS | SCENE_NEED_SOFTENING |
-              SCENE_NEED_PRESSURE | SCENE_NEED_OWN_MATERIALS,
+              SCENE_NEED_PRESSURE | SCENE_NEED_AIR | SCENE_NEED_OWN_MATERIALS,
     .options = options,
     /* Degree 3: seven times nearer to edge_drop's truth than degree 2 on the same net, in
      * about the same time: Newton's method takes fewer tangents. */

@@ -126,7 +126,7 @@ double distrust_strain(const struct scene *s)
 
 static bool is_moved(const struct scene *s)
 {
-    bool moved = s->pressure != 0 || vector_length(s->wind) > 0;
+    bool moved = s->pressure != 0 || scene_wind_speed(s) > 0;
 
     for (int n = 0; n < s->support_count; n++)
         moved |= SCENE_MOVES(s->supports[n].motion);

@@ -40,6 +40,7 @@ void march_clear(struct march *m)
     free(m->contact);
     contact_outside_clear(&m->outside);
     pressure_clear(&m->pressure);
+    air_clear(&m->air);
     free(m->dead);
     free(m->tangents);
     free(m->room);
@@ -394,6 +395,8 @@ enum status march_equilibrium(void *state, struct counters *counters, struct mes
     TRY(make_newton(m));
     TRY(make_system(m));
     m->time = supports_rest_time(m->supports, m->scene);
+    if (m->air.density > 0)
+        air_blow(&m->air, m->scene, m->time);
     m->started = false;
     TRY(m->integrator->rest(m, counters, why));
 out:

@@ -20,6 +20,7 @@
 #define MARCH_H
 
 #include "models/contact/contact_outside.h"
+#include "models/mechanics/air.h"
 #include "models/mechanics/contact_coupled.h"
 #include "models/mechanics/dead_load.h"
 #include "models/mechanics/large_body.h"
@@ -95,7 +96,8 @@ struct march {
     double time;       /*                                               [s]     */
     bool started; /* newmark: the system is factored; else strain_old belongs to x       */
     struct pressure pressure; /* value 0: none                                         */
-    struct contact *contact;  /* NULL: nothing to meet                         owned   */
+    struct air air; /* density 0: none; made by the owner of a body, before steps      */
+    struct contact *contact; /* NULL: nothing to meet                         owned   */
     struct contact_outside outside; /* `printed`, in its place                           */
     double push[3]; /* force of bodies, mean over the last step      [N]     */
 

@@ -395,7 +395,7 @@ static void clip_to_flight(const struct scene *scene, double t, double shift[3])
         for (int c = 0; c < 3; c++)
             a[c] += scene->loads[n].force[c] / mass;
     const double pull = vector_length(a),
-                 speed = vector_length(v) + (scene->drag > 0) * vector_length(scene->wind);
+                 speed = vector_length(v) + scene_wind_speed(scene);
     for (int c = 0; c < 3 && pull > 0; c++)
         along += shift[c] * a[c] / pull;
     const double high = pull > 0 ? -along - speed * speed / (2 * pull) : 0;

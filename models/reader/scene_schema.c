@@ -816,6 +816,26 @@ out:
     return st;
 }
 
+/* Reads a wind: one velocity for ever, or a table. */
+static enum status read_wind(const struct schema_key *key, const struct yaml_tree *node,
+                             void *target, struct message *why)
+{
+    enum status st = STATUS_OK;
+    struct scene_air *air = &((struct scene *)target)->air;
+    const struct yaml_tree *number = node->first;
+
+    if (node->kind != YAML_TREE_LIST || node->count != 3 ||
+        number->kind != YAML_TREE_SCALAR)
+        return read_table(key, node, target, why);
+    if (!(air->wind = calloc(1, sizeof *air->wind)))
+        return STATUS_MEMORY;
+    air->wind_count = 1;
+    for (int i = 1; i < 4; i++, number = number->next)
+        TRY(schema_number(key, number, &air->wind[0][i], why));
+out:
+    return st;
+}
+
 /* Makes the axis of a turn one of length 1. */
 static enum status check_turn(const struct schema_key *key, const struct yaml_tree *node,
                               void *target, struct message *why)
@@ -1128,6 +1148,18 @@ static const struct schema_key DRAG[] = {
     {"wind", "velocity of the air [m/s]", SCHEMA_VECTOR, PLACE, IN(scene, wind)},
     {NULL}};
 
+static const struct schema_key AIR[] = {
+    {"density", "density of the air [kg/m^3]", SCHEMA_NUMBER, .required = true, NOT_NEGATIVE,
+     IN(scene, air.density)},
+    {"drag", "coefficients of the drag along the normal and along the sheet", SCHEMA_VECTOR,
+     .required = true, NOT_NEGATIVE, .most = 2, IN(scene, air.drag),
+     .want = "two numbers [normal, tangential]"},
+    {"wind", "velocity of the air, or rows [t, x, y, z] of it; 0 [s, m/s]", SCHEMA_SPECIAL,
+     PLACE, .most = 4, IN(scene, air.wind), .count_offset = offsetof(struct scene, air.wind_count),
+     .read = read_wind,
+     .want = "[x, y, z] or 1 to 1000 rows [t, x, y, z] of numbers within -1e+06 and 1e+06"},
+    {NULL}};
+
 static const struct schema_key DAMPING[] = {
     {"kind", "law of damping", SCHEMA_WORD, .required = true, .words = damping_words,
      IN(scene, damping.kind)},
@@ -1186,6 +1218,8 @@ static const struct schema_key SCENE[] = {
     {"pressure", "on the outside of a closed cloak, against its normal as it turns [Pa]",
      SCHEMA_NUMBER, .low = -1e15, .high = 1e15, IN(scene, pressure)},
     {"drag", "body drag", SCHEMA_SECTION, .keys = DRAG},
+    {"air", "air that resists by area, direction and speed squared", SCHEMA_SECTION,
+     .keys = AIR},
     {"damping", "damping", SCHEMA_SECTION, .keys = DAMPING},
     {"motion", "at the start, where nothing holds", SCHEMA_SECTION, .keys = MOTION},
     {"supports", "what is held", SCHEMA_SPECIAL, .keys = SUPPORT,

@@ -171,6 +171,9 @@ static void add_need(struct scene *scene, unsigned need, double w)
     case SCENE_NEED_DRAG:
         scene->drag = 1;
         return;
+    case SCENE_NEED_AIR:
+        scene->air = (struct scene_air){.density = 1.2, .drag = {2, 0.1}};
+        return;
     case SCENE_NEED_INITIAL_MOTION:
         scene->spin[1] = 1;
         return;

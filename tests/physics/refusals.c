@@ -23,6 +23,8 @@ enum { MOST = 4 };
 #define PONTE     "material={fabric: ponte_roma, warp: "
 #define TUBE      "pose={kind: cloak, opening: 360, flare: 0}"
 #define PRESSED   "pressure=1"
+#define BREEZE    "air={density: 1.2, drag: [2, 0.1], wind: [1, 0, 1]}"
+#define SINGLE    "discretization.precision=single"
 static const struct row {
     const char *name, *sentence, *settings[MOST]; /* sentence NULL: it is accepted       */
 } rows[] = {
@@ -53,6 +55,16 @@ static const struct row {
      {PONTE "0, softening: [0, -1e-9]}", "discretization.kinematics=linear"}},
     {"shell", "pressure that", {TUBE, PRESSED, "discretization.kinematics=linear"}},
     {"iga", "pressure that follows the normal", {TUBE, PRESSED}},
+    {"shell", "air that resists by", {BREEZE, "discretization.kinematics=linear"}},
+    {"iga", "air that resists by", {BREEZE, "discretization.kinematics=linear"}},
+    {"iga", "air that resists by", {BREEZE, "discretization.kinematics=printed"}},
+    {"hex", "air that resists by", {BREEZE, "discretization.kinematics=incremental"}},
+    {"triangles", "precision=double only", {BREEZE, LEAPFROG, SINGLE}},
+    {"mass_spring", "precision=double and", {BREEZE, LEAPFROG, SINGLE}},
+    {"mass_spring",
+     "precision=double and",
+     {BREEZE, LEAPFROG, "discretization.parameters=paper"}},
+    {"mass_spring", NULL, {BREEZE, "discretization.parameters=paper"}},
     {"triangles", NULL, {PONTE "30, softening: [0, -1e-9]}"}},
     {"triangles",
      "momentum or implicit only",

@@ -289,7 +289,7 @@ out:
     return st;
 }
 
-static enum status meet_air(struct hex *h, struct message *why)
+static enum status meet_air(struct hex *h)
 {
     static const int linear[2] = {1, 1};
     enum status st;
@@ -301,7 +301,7 @@ static enum status meet_air(struct hex *h, struct message *why)
         for (int i = 0; i < h->points[d]; i++)
             line[d][i] = (double)i / (h->points[d] - 1);
     TRY(solid_model_air(&h->sheet, h, row, HEX_LOCAL, h->points,
-                        (const double *const *)line, linear, why));
+                        (const double *const *)line, linear));
 out:
     free(room);
     return st;
@@ -335,7 +335,7 @@ static enum status init(void *state, const struct scene *scene,
                          d->points[2] == 2 ? middle : NULL, why));
     TRY(add_loads(h));
     TRY(meet(h, scene));
-    TRY(meet_air(h, why));
+    TRY(meet_air(h));
     TRY(solid_model_misfit(&h->sheet, probe));
 out:
     free(x);

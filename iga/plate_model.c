@@ -756,7 +756,7 @@ out:
     return st;
 }
 
-static enum status meet_air(struct plate *p, struct message *why)
+static enum status meet_air(struct plate *p)
 {
     enum status st;
     int *span, breaks[2];
@@ -776,7 +776,7 @@ static enum status meet_air(struct plate *p, struct message *why)
     }
     TRY(solid_model_air(&p->sheet, p, row, patch_local(&p->patch), breaks,
                         (const double *const *)line,
-                        (const int[]){p->patch.basis[0].p, p->patch.basis[1].p}, why));
+                        (const int[]){p->patch.basis[0].p, p->patch.basis[1].p}));
 out:
     free(room);
     return st;
@@ -813,7 +813,7 @@ static enum status init(void *state, const struct scene *scene,
                          one_element ? middle : NULL, why));
     TRY(add_loads(p, why));
     TRY(meet(p, d));
-    TRY(meet_air(p, why));
+    TRY(meet_air(p));
     TRY(solid_model_misfit(&p->sheet, probe));
 out:
     return st;

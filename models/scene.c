@@ -122,9 +122,11 @@ static unsigned support_needs(const struct scene_support *s)
 {
     unsigned needs = 0;
 
+    if (scene_grips(s))
+        needs |= SCENE_NEED_GRIPPERS;
     if (SCENE_MOVES(s->motion))
         needs |= SCENE_NEED_MOVING_SUPPORTS;
-    if (s->motion.turn_count > 0 && s->lo[2] < s->hi[2])
+    if (s->motion.turn_count > 0 && s->lo[2] < s->hi[2] && !scene_grips(s))
         needs |= SCENE_NEED_TURNING_CLAMPS;
     if (s->hi[0] > s->lo[0] && s->hi[1] > s->lo[1])
         needs |= SCENE_NEED_PATCH_SUPPORTS;
@@ -328,7 +330,8 @@ bool scene_is_cantilever(const struct scene *scene)
 
     return scene->sheets < 2 && !scene->pattern && scene->support_count == 1 &&
            s->lo[0] == 0 && s->hi[0] == 0 && s->lo[1] == 0 && s->hi[1] == 1 &&
-           s->lo[2] == 0 && s->hi[2] == 1 && s->fix == FIX_XYZ && !SCENE_MOVES(s->motion);
+           s->lo[2] == 0 && s->hi[2] == 1 && s->fix == FIX_XYZ && !SCENE_MOVES(s->motion) &&
+           !scene_grips(s);
 }
 
 bool scene_edge_clamped(const struct scene *scene, int sheet, int i, bool end)
@@ -342,7 +345,7 @@ bool scene_edge_clamped(const struct scene *scene, int sheet, int i, bool end)
         to[i] = from[i];
     for (int n = 0; n < scene->support_count; n++) {
         const struct scene_support *s = &scene->supports[n];
-        bool whole = s->fix == FIX_XYZ;
+        bool whole = s->fix == FIX_XYZ && !scene_grips(s);
         for (int k = 0; k < 3; k++)
             whole = whole && s->lo[k] <= from[k] && s->hi[k] >= to[k];
         if (whole)

@@ -55,10 +55,15 @@ struct scene_damping {
 
 /* All material points with lo <= (u,v,w) <= hi are held in the components of `fix` at
  * rest position as `motion` moves it. An edge is lo = hi in one direction, [0,1] in the
- * others. */
+ * others.
+ *
+ * A gripper, which has `from` or `until`, takes at `from` what nobody holds then, where it
+ * is: from then on these points go with the motion as if they were a part of what moves so.
+ * It holds points, and no direction of the sheet beside them. */
 struct scene_support {
     double lo[3], hi[3];
     unsigned fix;
+    double from, until; /* takes hold, lets go; until 0: never                    [s]  */
     struct scene_motion motion; /*                                         owned   */
     int line;                   /* in the scene file; 0 if made in memory          */
     int sheet;                  /* named by the scene file, from 1; 0: none        */
@@ -197,7 +202,8 @@ struct scene {
     X(OWN_MATERIALS, "sheets with materials of their own")                                 \
     X(TURNING_CLAMPS, "clamps that turn")                                                  \
     X(OUTLINE, "outlines other than a rectangle, a cone and a ring")                       \
-    X(AIR, "air that resists by the normal")
+    X(AIR, "air that resists by the normal")                                               \
+    X(GRIPPERS, "supports that take hold or let go")
 
 enum scene_need_bit {
 #define SCENE_NEED_BIT(name, sentence) SCENE_NEED_BIT_##name,
@@ -236,6 +242,12 @@ void scene_clear(struct scene *scene);
 
 /* Adds a copy of *support (its path is copied too). */
 enum status scene_add_support(struct scene *scene, const struct scene_support *support);
+
+/* Tells whether a support is a gripper. */
+static inline bool scene_grips(const struct scene_support *s)
+{
+    return s->from > 0 || s->until > 0;
+}
 
 /* Adds a copy of *load. */
 enum status scene_add_load(struct scene *scene, const struct scene_load *load);
@@ -347,8 +359,8 @@ void scene_initial_velocity(const struct scene *scene, const double xyz[3], doub
  * rests. */
 bool scene_is_cantilever(const struct scene *scene);
 
-/* Tells whether one of the supports holds all of the edge of a sheet where u (i = 0) or v
- * begins, or ends, in x, y, z; it may move. */
+/* Tells whether one of the supports, no gripper, holds all of the edge of a sheet where u
+ * (i = 0) or v begins, or ends, in x, y, z; it may move. */
 bool scene_edge_clamped(const struct scene *scene, int sheet, int i, bool end);
 
 /* Returns the highest speed of the wind, of drag and of air [m/s]. */

@@ -185,7 +185,7 @@ static enum status make_sweep(struct pb_motion *m, enum precision precision)
                            .dt = m->dt,
                            .origin.length =
                                precision == PRECISION_SINGLE ? m->net.scene->length : 0,
-                           .origin.carried = m->net.supports.held_count == 0,
+                           .origin.carried = supports_most(&m->net.supports) == 0,
                            .odd = m->odd,
                            .odd_count = list_odd(m),
                            .link = m->link,
@@ -383,6 +383,22 @@ static bool ends(struct pb_motion *m, int done, bool bends, double t)
     return arrival_ends(&m->arrival, done, &f, t);
 }
 
+/* Lets grippers take hold and let go at time t: constraints know what is held. */
+static void change_hands(struct pb_motion *m, double t)
+{
+    struct supports *s = &m->net.supports;
+
+    if (!s->whose)
+        return;
+    pb_sweep_get(m->sweep, PB_X, 3, m->before);
+    if (!supports_change(s, m->net.scene, t, m->before))
+        return;
+    put_points(m);
+    put_springs(m);
+    put_forms(m);
+    list_odd(m);
+}
+
 /* Puts the air's force in a step from time t. */
 static void meet_air(struct pb_motion *m, double t)
 {
@@ -426,6 +442,7 @@ static enum status substep(struct pb_motion *m, bool asked, struct counters *cou
     enum status st = STATUS_OK;
     int done = 0;
 
+    change_hands(m, t - m->dt);
     if (m->net.calm)
         meet_air(m, t - m->dt);
     if (looks)

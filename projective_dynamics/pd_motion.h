@@ -62,6 +62,7 @@ struct pd_motion {
     struct pd_contact contact; /* all zero without obstacles                           */
     double push[3];            /* force of obstacles, mean over the last frame   [N]   */
     double dt, alpha; /* [s], [1/s]                                                    */
+    double share;     /* ADMM's weight of the split; 0: there is none                   */
     double span;      /* Euler's step [s]: dt, less with BDF2                          */
     struct pd_backward backward;  /* all zero without BDF2                             */
     const double *origin, *speed; /* where and how fast the span begins, three fields  */
@@ -74,6 +75,7 @@ struct pd_motion {
     double *base, *start, *next, *before; /* work, the same                           */
     double *saved;  /* Chebyshev: what it may fall back to, as x                       */
     double *shift;  /* [held]                          owned    */
+    double *spread; /* [nodes][3] with grippers: x                          owned    */
     double *dead;   /* accelerations by the scene's loads, as x; NULL: none    owned    */
     struct air air; /* density 0: none                                                 */
     double *blow;   /* accelerations by it in the step, as x; NULL: none      owned    */

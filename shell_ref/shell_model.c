@@ -305,7 +305,7 @@ static enum status clamp_edges(struct shell *m, struct message *why)
                             "support %d misses the mid-surface w = 1/2, and a shell has "
                             "nothing else to hold",
                             n));
-        if (s->fix != FIX_XYZ || s->lo[2] == s->hi[2])
+        if (s->fix != FIX_XYZ || s->lo[2] == s->hi[2] || scene_grips(s))
             continue;
         for (int d = 0; d < 2; d++)
             held->support_count += clamp_slope(m, s, d, &supports[held->support_count]);
@@ -654,10 +654,6 @@ static enum status refuse(const struct scene *scene, const struct discretization
         return status_fail(why, STATUS_UNSUPPORTED,
                            "pressure that follows the normal: with kinematics=nonlinear "
                            "only");
-    if (scene->air.density > 0 && d->kinematics != KINEMATICS_NONLINEAR)
-        return status_fail(
-            why, STATUS_UNSUPPORTED,
-            "air that resists by the normal: with kinematics=nonlinear only");
     st = check_remedy(d, why);
     return st == STATUS_OK ? model_refuse_options(d, why) : st;
 }
@@ -860,7 +856,8 @@ const struct model shell_model = {
               SCENE_NEED_THICKNESS_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_CURVED_REST |
               SCENE_NEED_CLOSED_REST | SCENE_NEED_INITIAL_MOTION | SCENE_NEED_SHEETS |
               SCENE_NEED_FABRIC | SCENE_NEED_BIAS | SCENE_NEED_SOFTENING |
-              SCENE_NEED_PRESSURE | SCENE_NEED_AIR | SCENE_NEED_OWN_MATERIALS,
+              SCENE_NEED_PRESSURE | SCENE_NEED_AIR | SCENE_NEED_GRIPPERS |
+              SCENE_NEED_OWN_MATERIALS,
     .options = options,
     /* Degree 3: seven times nearer to edge_drop's truth than degree 2 on the same net, in
      * about the same time: Newton's method takes fewer tangents. */

@@ -205,6 +205,7 @@ static enum status substep(struct vb_motion *m, bool asked, struct counters *cou
     enum status st = STATUS_OK;
     double t = (double)(m->substep + 1) / m->substeps * m->net.scene->step;
 
+    supports_change(&m->net.supports, m->net.scene, t - m->dt, m->net.x);
     net_blow(&m->net, t - m->dt, m->dt, m->net.x, m->net.v);
     predict(m);
     net_hold(&m->net, t);

@@ -233,10 +233,15 @@ static bool may_leave(const struct export_sheet *s, int i, int j)
     return !has_direction(held_whole(s, i, j), low, high);
 }
 
-static enum status check_thickness(const struct scene *scene, struct message *why)
+static enum status check_held(const struct scene *scene, struct message *why)
 {
     for (int n = 0; n < scene->support_count; n++) {
         const struct scene_support *s = &scene->supports[n];
+        if (scene_grips(s))
+            return status_fail(why, STATUS_UNSUPPORTED,
+                               "supports[%d] takes hold or lets go: held.csv and paths.csv "
+                               "know what is held from start to end",
+                               n);
         if (!is_whole(s) && !(s->lo[2] == 0.5 && s->hi[2] == 0.5))
             return status_fail(
                 why, STATUS_UNSUPPORTED,
@@ -407,7 +412,7 @@ static enum status export_held_find(struct arena *arena, struct export_sheet *s,
     struct supports supports SCOPED(supports_clear) = {0};
 
     *held = (struct export_held){0};
-    CALL(check_thickness(s->scene, why));
+    CALL(check_held(s->scene, why));
     CALL(find_supports(arena, s, &supports, why));
     /* a vertex may have one outside along u and one along v; a mesh two an edge */
     held->vertex = arena_take(arena, 7 * ((size_t)vertices + 1), sizeof *held->vertex);

@@ -47,6 +47,8 @@ static void print_supports(const struct scene *s, FILE *out)
         fprintf(out, "support fix %u\n", support->fix);
         print(out, "support from", 3, support->lo);
         print(out, "support to", 3, support->hi);
+        if (scene_grips(support))
+            print(out, "support holds", 2, (double[]){support->from, support->until});
         print_motion(&support->motion, "support", out);
     }
 }

@@ -102,13 +102,16 @@ static void make_mass(struct leapfrog *l)
     }
 }
 
-/* Chooses the step with the tangent m->K about rest; l->a is work. */
+/* Chooses the step with the tangent about rest, m->K; l->a is work. */
 static enum status choose_step(struct leapfrog *l, struct message *why)
 {
     enum status st;
-    const struct march *m = l->m;
+    struct march *m = l->m;
     double omega;
 
+    m->factored = -1;
+    TRY(large_body_tangent(&m->body, &large_path_statics, m->rest,
+                           (struct large_foresight){0}, m->K));
     for (int a = 0; a < m->graph->nodes; a++)
         l->a[a] = m->M[m->graph->start[a]];
     TRY(frequency_largest(m->graph, m->supports, l->a, m->beyond, (const double(*)[9])m->K,
@@ -126,7 +129,7 @@ static enum status make(struct march *m, const struct discretization *d,
     struct leapfrog *l = NULL;
     size_t count = march_count(m);
     bool meets = m->contact != NULL, moving = m->supports->moving;
-    size_t held = moving ? (size_t)m->supports->held_count : 0;
+    size_t held = moving ? (size_t)supports_most(m->supports) : 0;
 
     l = calloc(1, sizeof *l);
     if (!l)
@@ -141,14 +144,26 @@ static enum status make(struct march *m, const struct discretization *d,
         ROOM(l->fixed, meets ? count : 0),
         ROOM(l->blow, m->scene->pressure != 0 || m->scene->air.density > 0 ? count : 0),
         ROOM(l->pull, held), ROOM(l->shift, held)));
-    m->factored = -1;
-    TRY(large_body_tangent(&m->body, &large_path_statics, m->rest,
-                           (struct large_foresight){0}, m->K));
-    make_mass(l);
     TRY(choose_step(l, why));
+    make_mass(l);
     m->own = l, l = NULL;
 out:
     discard(l);
+    return st;
+}
+
+/* Looks at what is held now. */
+static enum status hold(struct march *m)
+{
+    struct leapfrog *l = m->own;
+    struct message why;
+    enum status st = STATUS_OK;
+
+    if (!l->asked)
+        TRY(choose_step(l, &why));
+    l->substeps <<= l->doublings;
+    make_mass(l);
+out:
     return st;
 }
 
@@ -522,6 +537,7 @@ const struct march_integrator integrator_leapfrog = {
     .explicit = true,
     .make = make,
     .step = step,
+    .hold = hold,
     .rest = march_rest_equilibrium,
     .modes = march_rest_modes,
     .kinetic = told_kinetic,

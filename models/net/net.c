@@ -104,7 +104,7 @@ enum status net_init(struct net *net, const struct scene *scene,
                  ROOM(net->v, 3 * mesh->nodes), ROOM(net->calm, airy * 3 * mesh->nodes),
                  ROOM(net->blow, airy * 3 * mesh->nodes),
                  ROOM(net->hold, airy * mesh->nodes),
-                 ROOM(net->shift, net->supports.held_count)));
+                 ROOM(net->shift, supports_most(&net->supports))));
     TRY(mesh_loads(mesh, scene, &net->dead));
     set_points(net, d->parameters, scenes ? damping_mass(scene) : 0);
     memcpy(net->x, mesh->rest, 3 * (size_t)mesh->nodes * sizeof *net->x);

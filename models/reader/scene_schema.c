@@ -542,6 +542,31 @@ static bool agrees_at_rows(const struct scene_motion *a, const struct scene_moti
     return agree;
 }
 
+/* Refuses grippers that never hold; an end given as a setting may come before they do. */
+static enum status check_grippers(const struct yaml_tree *root, const struct scene *scene,
+                                  struct message *why)
+{
+    const struct yaml_tree *node = yaml_tree_first(root, "supports"),
+                           *end = yaml_tree_find(yaml_tree_find(root, "time"), "end");
+
+    for (int n = 0; node; n++, node = node->next) {
+        const struct scene_support *s = &scene->supports[n];
+        const struct yaml_tree *from = yaml_tree_find(node, "from");
+        if (s->until > 0 && s->until <= s->from)
+            return yaml_tree_refuse(yaml_tree_find(node, "until"), why,
+                                    "supports[%d] lets go at %g s, but takes hold at %g s: "
+                                    "until must be later",
+                                    n, s->until, s->from);
+        if (s->from >= scene->end && !(is_setting(end) && !is_setting(from)))
+            return yaml_tree_refuse(
+                from, why,
+                "supports[%d] takes hold at %g s, but the scene ends at "
+                "%g s: it never does",
+                n, s->from, scene->end);
+    }
+    return STATUS_OK;
+}
+
 /* Compares all pairs, O(supports^2 rows log rows): piecewise linear motions are equal if
  * they are so at all rows. */
 static enum status check_supports(const struct yaml_tree *root, const struct scene *scene,
@@ -554,7 +579,7 @@ static enum status check_supports(const struct yaml_tree *root, const struct sce
             const struct scene_support *a = &scene->supports[i], *b = &scene->supports[j];
             const unsigned fix = a->fix & b->fix;
 
-            if (fix && overlap(a, b) &&
+            if (fix && overlap(a, b) && !scene_grips(a) && !scene_grips(b) &&
                 !(agrees_at_rows(&a->motion, &b->motion, fix) &&
                   agrees_at_rows(&b->motion, &a->motion, fix)))
                 return yaml_tree_refuse(
@@ -681,6 +706,7 @@ static enum status scene_check(const struct yaml_tree *root, bool files,
     TRY(check_ripple(root, scene, why));
     TRY(check_snapshots(root, scene, why));
     TRY(check_supports(root, scene, why));
+    TRY(check_grippers(root, scene, why));
     TRY(check_loads(root, scene, why));
     TRY(check_contact(root, scene, why));
     TRY(check_obstacles(root, files, scene, why));
@@ -887,6 +913,10 @@ static const struct schema_key SUPPORT[] = {
     {"at", "where", SCHEMA_SECTION, .required = true, .keys = AT, .read = check_at},
     {"fix", "components that are held", SCHEMA_SPECIAL, .required = true, .read = read_fix,
      .want = "some of the letters x, y, z, each once, as in xyz"},
+    {"from", "takes hold of what is free, where that then is; 0 [s]", SCHEMA_NUMBER, .low = 0,
+     .high = 1e6, IN(scene_support, from)},
+    {"until", "lets go; never [s]", SCHEMA_NUMBER, .low = 1e-9, .high = 1e6,
+     IN(scene_support, until)},
     MOTION_OF(scene_support),
     {NULL}};
 

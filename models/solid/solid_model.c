@@ -88,8 +88,10 @@ static void frames(const void *sheet, double (*Q)[9])
 }
 
 /* Sets up an iterated system; its solutions are increments of d, or steps of Newton. */
-static enum status follow(struct solid_sheet *s, const struct discretization *d)
+static enum status follow(struct march *m)
 {
+    struct solid_sheet *s = (struct solid_sheet *)m;
+    const struct discretization *d = &m->asked;
     /* Conjugate gradients measure energy; in the norm of GMRES stiff motion hides the soft
      * one. */
     static const double CG_TOLERANCE = 1e-6, GMRES_TOLERANCE = 1e-8, STEP_TOLERANCE = 1e-3;
@@ -169,11 +171,12 @@ enum status solid_model_init(struct solid_sheet *s, const struct scene *scene,
         .unknowns = space->thickness_basis ? "thickness" : "control points",
         .singular = ", or it is too thin for control points as unknowns "
                     "(discretization.unknowns=thickness is made for that)",
+        .follow = follow,
         .rebuild = rebuild,
         .relief = d->viscosity == VISCOSITY_MEMBRANE,
     };
     TRY(march_init(&s->march, d, why));
-    TRY(follow(s, d));
+    TRY(follow(&s->march));
 out:
     return st;
 }
@@ -255,7 +258,7 @@ static void fill_place(struct air_rows *r, const double at[2], const double size
 
 enum status solid_model_air(struct solid_sheet *s, const void *body, contact_row *row,
                             int width, const int breaks[2], const double *const lines[2],
-                            const int degree[2], struct message *why)
+                            const int degree[2])
 {
     enum status st = STATUS_OK;
     const struct scene *scene = s->march.scene;
@@ -269,10 +272,6 @@ enum status solid_model_air(struct solid_sheet *s, const void *body, contact_row
 
     if (scene->air.density == 0)
         return st;
-    if (s->march.kinematics != KINEMATICS_NONLINEAR)
-        return status_fail(
-            why, STATUS_UNSUPPORTED,
-            "air that resists by the normal: with kinematics=nonlinear only");
     TRY(air_init(air, scene, count, n[0] * n[1], width));
     TRY(room_cut(&room, ROOM(r.found, width), ROOM(r.value, width)));
     gauss_rule(n[0], x[0], w[0]);

@@ -14,6 +14,7 @@ enum { MOST = 4 };
 #define IMPLICIT  "discretization.integrator=implicit"
 #define MOMENTUM  "discretization.integrator=momentum"
 #define BDF2      "discretization.integrator=bdf2"
+#define GRIPPER   "supports=[{at: {u: 0}, fix: xyz, until: 0.2}]"
 #define SINGLE    "discretization.precision=single"
 #define THICKNESS "discretization.unknowns=thickness"
 #define BENDING   "discretization.bending="
@@ -59,6 +60,10 @@ static const struct row {
     {"iga", "air that resists by", {BREEZE, "discretization.kinematics=linear"}},
     {"iga", "air that resists by", {BREEZE, "discretization.kinematics=printed"}},
     {"hex", "air that resists by", {BREEZE, "discretization.kinematics=incremental"}},
+    {"iga", "take hold or let go: with", {GRIPPER, "discretization.kinematics=printed"}},
+    {"triangles", "precision=double only", {GRIPPER, LEAPFROG, SINGLE}},
+    {"triangles", NULL, {GRIPPER, LEAPFROG}},
+    {"mass_spring", "precision=double and", {GRIPPER, LEAPFROG, SINGLE}},
     {"triangles", "precision=double only", {BREEZE, LEAPFROG, SINGLE}},
     {"mass_spring", "precision=double and", {BREEZE, LEAPFROG, SINGLE}},
     {"mass_spring",

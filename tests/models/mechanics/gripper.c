@@ -213,6 +213,31 @@ static void check_bodies(const char *model)
     run_close(&run);
 }
 
+/* Beside a clamp that turns, and keeps the sheet's direction there in frames. */
+static void check_clamp(void)
+{
+    struct run run = {0};
+    double x[2][3], from[3][3], to[3][3], way[3];
+    const double near[2][3] = {{0, 0.5, 0.5}, {1e-6, 0.5, 0.5}};
+
+    OPENED_RUN(&run, "drag_fall", "shell", SHEET, "gravity=[0,0,-9.81]",
+               "supports=[{at: {u: 1}, fix: xyz, from: 0.1, until: 0.2, path: [[0.1, 0, 0, "
+               "0], [0.2, 0, 0, 0.05]]}, {at: {u: 0}, fix: xyz, turn: {axis: [0, -1, 0], "
+               "about: [0, 0, 0], angles: [[0, 0], [0.3, 60]]}}]");
+    opened_steps(&run, 10);
+    look(&run, from);
+    opened_steps(&run, 10);
+    look(&run, to);
+    CHECK_NEAR(to[1][2] - from[1][2], 0.05, SUM);
+    for (int frame = 20; frame <= 30; frame += 10) {
+        run.model->probe(run.state, 2, near[0], x[0]);
+        vector_between(x[0], x[1], way);
+        CHECK_NEAR(way[2] / way[0], tan(frame / 30. * acos(-1) / 3), 1e-4);
+        opened_steps(&run, 10);
+    }
+    run_close(&run);
+}
+
 static void check_rest(void)
 {
     struct counters work = {0};
@@ -240,6 +265,7 @@ int main(void)
         "projective_dynamics", "shell",     "iga"};
     for (size_t n = 0; n < sizeof models / sizeof *models; n++)
         check_bodies(models[n]);
+    check_clamp();
     check_rest();
     return check_result();
 }

@@ -7,6 +7,7 @@
 #include "models/grid.h"
 #include "models/linalg/gauss.h"
 #include "models/mechanics/supports.h"
+#include "models/room.h"
 #include "models/solid/solid_hinge.h"
 #include "models/solid/solid_model.h"
 
@@ -288,6 +289,24 @@ out:
     return st;
 }
 
+static enum status meet_air(struct hex *h)
+{
+    static const int linear[2] = {1, 1};
+    enum status st;
+    double *line[2];
+    void *room = NULL;
+
+    TRY(room_cut(&room, ROOM(line[0], h->points[0]), ROOM(line[1], h->points[1])));
+    for (int d = 0; d < 2; d++)
+        for (int i = 0; i < h->points[d]; i++)
+            line[d][i] = (double)i / (h->points[d] - 1);
+    TRY(solid_model_air(&h->sheet, h, row, HEX_LOCAL, h->points,
+                        (const double *const *)line, linear));
+out:
+    free(room);
+    return st;
+}
+
 static enum status init(void *state, const struct scene *scene,
                         const struct discretization *d, struct message *why)
 {
@@ -316,6 +335,7 @@ static enum status init(void *state, const struct scene *scene,
                          d->points[2] == 2 ? middle : NULL, why));
     TRY(add_loads(h));
     TRY(meet(h, scene));
+    TRY(meet_air(h));
     TRY(solid_model_misfit(&h->sheet, probe));
 out:
     free(x);

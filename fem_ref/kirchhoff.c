@@ -389,9 +389,11 @@ enum status kirchhoff_field_plate(const struct scene *scene, struct kirchhoff_pl
         fabs(vector_dot(scene->gravity, scene->axis_v)) > in_plane)
         return status_fail(why, STATUS_UNSUPPORTED,
                            "the Kirchhoff truth needs gravity normal to the sheet");
-    if (scene->obstacle_count || scene->load_count || scene->drag != 0)
-        return status_fail(why, STATUS_UNSUPPORTED,
-                           "the Kirchhoff truth knows no obstacles, no loads and no drag");
+    if (scene->obstacle_count || scene->load_count || scene->drag != 0 ||
+        scene->air.density > 0)
+        return status_fail(
+            why, STATUS_UNSUPPORTED,
+            "the Kirchhoff truth knows no obstacles, no loads, no drag and no air");
     if (scene_needs(scene) & SCENE_NEED_INITIAL_MOTION)
         return status_fail(why, STATUS_UNSUPPORTED, "the Kirchhoff truth begins at rest");
     if (scene->damping.kind != DAMPING_NONE && scene->damping.kind != DAMPING_MASS)

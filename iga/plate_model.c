@@ -11,6 +11,7 @@
 #include "models/contact/contact_rest.h"
 #include "models/grid.h"
 #include "models/mechanics/supports.h"
+#include "models/room.h"
 #include "models/solid/solid_hinge.h"
 #include "models/solid/solid_model.h"
 
@@ -755,6 +756,32 @@ out:
     return st;
 }
 
+static enum status meet_air(struct plate *p)
+{
+    enum status st;
+    int *span, breaks[2];
+    double *line[2];
+    void *room = NULL;
+
+    TRY(room_cut(&room, ROOM(line[0], p->patch.basis[0].n + 1),
+                 ROOM(line[1], p->patch.basis[1].n + 1),
+                 ROOM(span, p->patch.basis[0].n + p->patch.basis[1].n)));
+    for (int d = 0; d < 2; d++) {
+        const struct bspline b = bspline_part(&p->patch.basis[d], 0);
+        const int spans = bspline_spans(&b, span);
+        for (int k = 0; k < spans; k++)
+            line[d][k] = b.U[span[k]];
+        line[d][spans] = 1;
+        breaks[d] = spans + 1;
+    }
+    TRY(solid_model_air(&p->sheet, p, row, patch_local(&p->patch), breaks,
+                        (const double *const *)line,
+                        (const int[]){p->patch.basis[0].p, p->patch.basis[1].p}));
+out:
+    free(room);
+    return st;
+}
+
 static enum status init(void *state, const struct scene *scene,
                         const struct discretization *d, struct message *why)
 {
@@ -786,6 +813,7 @@ static enum status init(void *state, const struct scene *scene,
                          one_element ? middle : NULL, why));
     TRY(add_loads(p, why));
     TRY(meet(p, d));
+    TRY(meet_air(p));
     TRY(solid_model_misfit(&p->sheet, probe));
 out:
     return st;

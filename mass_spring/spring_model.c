@@ -36,6 +36,10 @@ static enum status init(void *state, const struct scene *scene,
          "surface: of a grid only, whose points can be a spline's"},
         {d->precision == PRECISION_SINGLE && !mesh_is_grid(scene, d),
          "precision=single: of a grid only, whose sweeps go along rows"},
+        {d->integrator == INTEGRATOR_LEAPFROG && spring_leapfrog_lacks(scene) &&
+             (d->precision == PRECISION_SINGLE || d->parameters == PARAMETERS_PAPER),
+         "air and grippers: with precision=double and parameters=matched only where steps "
+         "are explicit"},
         {OWN(spring_own, d)->strain_limit > 0 && contact_wanted(scene),
          "strain_limit: without contact only"},
         {0}};

@@ -33,6 +33,15 @@ static void frames(const void *motion, double (*Q)[9])
         frames_of_net(points, false, m->net.x + 3 * (size_t)first, Q + first);
 }
 
+static enum status follow(struct march *march)
+{
+    struct spring_motion *m = (struct spring_motion *)march;
+
+    system_single(&march->system);
+    return m->net.mesh.rows ? iterative_follow(march->system.iterative, frames, m, false)
+                            : STATUS_OK;
+}
+
 static enum status make_march(struct spring_motion *m, struct message *why)
 {
     enum status st;
@@ -40,7 +49,8 @@ static enum status make_march(struct spring_motion *m, struct message *why)
     const double cell = fmin(m->net.mesh.cell[0], m->net.mesh.cell[1]);
     const bool implicit = m->integrator == INTEGRATOR_IMPLICIT, grid = m->net.mesh.rows,
                squares = in_squares(m),
-               swept = grid && m->integrator == INTEGRATOR_LEAPFROG;
+               swept = grid && m->integrator == INTEGRATOR_LEAPFROG &&
+                       !spring_leapfrog_lacks(m->net.scene);
 
     if (!in_squares(m)) {
         d.newton = NEWTON_FULL; /* a tangent costs no more than two of its solutions */
@@ -63,6 +73,7 @@ static enum status make_march(struct spring_motion *m, struct message *why)
                          : m->shell.body,
         .graph = squares && !grid ? &m->shell.graph : &m->springs.graph,
         .drag = m->asked->parameters == PARAMETERS_PAPER ? m->net.drag : NULL,
+        .follow = squares ? NULL : follow,
         .learns = implicit,
         .tolerance = (d.tolerance > 0 ? d.tolerance
                       : implicit      ? DEFAULT_TOLERANCE
@@ -71,11 +82,9 @@ static enum status make_march(struct spring_motion *m, struct message *why)
         .still = squares ? 0 : STILL * cell,
     };
     TRY(net_march(&m->net, &m->march, &d, why));
-    if (!in_squares(m)) {
+    if (!squares) {
         m->march.loose = d.iterations == 1 ? LAST_TOLERANCE : LINEAR_TOLERANCE;
-        system_single(&m->march.system);
-        if (grid)
-            TRY(iterative_follow(m->march.system.iterative, frames, m, false));
+        TRY(follow(&m->march));
     }
 out:
     return st;

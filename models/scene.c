@@ -26,6 +26,7 @@ void scene_clear(struct scene *scene)
         scene_obstacle_clear(&scene->obstacles[i]);
     free(scene->obstacles);
     free(scene->snapshots);
+    free(scene->air.wind);
     free(scene->name);
     free(scene->source);
     free(scene->about);
@@ -169,9 +170,11 @@ static unsigned support_needs(const struct scene_support *s)
 {
     unsigned needs = 0;
 
+    if (scene_grips(s))
+        needs |= SCENE_NEED_GRIPPERS;
     if (SCENE_MOVES(s->motion))
         needs |= SCENE_NEED_MOVING_SUPPORTS;
-    if (s->motion.turn_count > 0 && s->lo[2] < s->hi[2])
+    if (s->motion.turn_count > 0 && s->lo[2] < s->hi[2] && !scene_grips(s))
         needs |= SCENE_NEED_TURNING_CLAMPS;
     if (s->hi[0] > s->lo[0] && s->hi[1] > s->lo[1])
         needs |= SCENE_NEED_PATCH_SUPPORTS;
@@ -208,6 +211,8 @@ unsigned scene_needs(const struct scene *scene)
         needs |= SCENE_NEED_PRESSURE;
     if (scene->drag > 0)
         needs |= SCENE_NEED_DRAG;
+    if (scene->air.density > 0)
+        needs |= SCENE_NEED_AIR;
     if (scene->shape != SCENE_FLAT)
         needs |= SCENE_NEED_CURVED_REST;
     if (scene_closed(scene))
@@ -404,7 +409,8 @@ bool scene_is_cantilever(const struct scene *scene)
 
     return scene->sheets < 2 && !scene->pattern && scene->support_count == 1 &&
            s->lo[0] == 0 && s->hi[0] == 0 && s->lo[1] == 0 && s->hi[1] == 1 &&
-           s->lo[2] == 0 && s->hi[2] == 1 && s->fix == FIX_XYZ && !SCENE_MOVES(s->motion);
+           s->lo[2] == 0 && s->hi[2] == 1 && s->fix == FIX_XYZ && !SCENE_MOVES(s->motion) &&
+           !scene_grips(s);
 }
 
 bool scene_edge_clamped(const struct scene *scene, int sheet, int i, bool end)
@@ -418,13 +424,22 @@ bool scene_edge_clamped(const struct scene *scene, int sheet, int i, bool end)
         to[i] = from[i];
     for (int n = 0; n < scene->support_count; n++) {
         const struct scene_support *s = &scene->supports[n];
-        bool whole = s->fix == FIX_XYZ;
+        bool whole = s->fix == FIX_XYZ && !scene_grips(s);
         for (int k = 0; k < 3; k++)
             whole = whole && s->lo[k] <= from[k] && s->hi[k] >= to[k];
         if (whole)
             return true;
     }
     return false;
+}
+
+double scene_wind_speed(const struct scene *s)
+{
+    double most = s->drag > 0 ? vector_length(s->wind) : 0;
+
+    for (int n = 0; n < s->air.wind_count; n++)
+        most = fmax(most, vector_length(s->air.wind[n] + 1));
+    return most;
 }
 
 bool scene_same_across(const struct scene *s)
@@ -441,6 +456,8 @@ bool scene_same_across(const struct scene *s)
         for (int k = 0; k < m->path_count; k++)
             same &= vector_dot(m->path[k] + 1, s->axis_v) == 0;
     }
+    for (int n = 0; n < s->air.wind_count; n++)
+        same &= vector_dot(s->air.wind[n] + 1, s->axis_v) == 0;
     for (int n = 0; n < s->load_count; n++)
         same &= s->loads[n].lo[1] <= 0 && s->loads[n].hi[1] >= 1 &&
                 vector_dot(s->loads[n].force, s->axis_v) == 0;

@@ -55,10 +55,15 @@ struct scene_damping {
 
 /* All material points with lo <= (u,v,w) <= hi are held in the components of `fix` at
  * rest position as `motion` moves it. An edge is lo = hi in one direction, [0,1] in the
- * others. */
+ * others.
+ *
+ * A gripper, which has `from` or `until`, takes at `from` what nobody holds then, where it
+ * is: from then on these points go with the motion as if they were a part of what moves so.
+ * It holds points, and no direction of the sheet beside them. */
 struct scene_support {
     double lo[3], hi[3];
     unsigned fix;
+    double from, until; /* takes hold, lets go; until 0: never                    [s]  */
     struct scene_motion motion; /*                                         owned   */
     int line;                   /* in the scene file; 0 if made in memory          */
     int sheet;                  /* named by the scene file, from 1; 0: none        */
@@ -115,6 +120,15 @@ struct scene_obstacle {
     struct scene_motion motion; /*                                             owned   */
 };
 
+/* Air that resists what moves through it (models/mechanics/air.h). */
+struct scene_air {
+    double density;    /* 0: there is none                               [kg/m^3]      */
+    double drag[2];    /* coefficients along the normal and along the sheet   [1]      */
+    int wind_count;    /* rows [t, x, y, z] of its velocity, t increasing; linear
+                          between, constant outside; none: still air                   */
+    double (*wind)[4]; /*                                         [s, m/s]     owned   */
+};
+
 struct scene {
     char *name;   /* [a-z0-9_]+                                             owned     */
     char *source; /* where the numbers come from                            owned     */
@@ -148,7 +162,8 @@ struct scene {
     double gravity[3]; /*                                                  [m/s^2] */
     double drag;       /* body drag c, force c (wind - v) per volume  [kg/m^3/s]   */
     double wind[3];    /*                                                  [m/s]   */
-    double pressure;   /* on the face w = 1, against its normal wherever it turns [Pa]  */
+    struct scene_air air;
+    double pressure; /* on the face w = 1, against its normal wherever it turns [Pa]  */
     struct scene_damping damping;
     double velocity[3], spin[3]; /* rigid motion at t = 0: velocity + spin x position,
                                     where nothing holds              [m/s], [rad/s]   */
@@ -189,7 +204,9 @@ struct scene {
     X(SHEETS, "several sheets")                                                            \
     X(OWN_MATERIALS, "sheets with materials of their own")                                 \
     X(TURNING_CLAMPS, "clamps that turn")                                                  \
-    X(OUTLINE, "outlines other than a rectangle, a cone and a ring")
+    X(OUTLINE, "outlines other than a rectangle, a cone and a ring")                       \
+    X(AIR, "air that resists by the normal")                                               \
+    X(GRIPPERS, "supports that take hold or let go")
 
 enum scene_need_bit {
 #define SCENE_NEED_BIT(name, sentence) SCENE_NEED_BIT_##name,
@@ -234,6 +251,12 @@ void scene_support_clear(struct scene_support *s);
 
 /* Adds a copy of *support (its path and parts are copied too). */
 enum status scene_add_support(struct scene *scene, const struct scene_support *support);
+
+/* Tells whether a support is a gripper. */
+static inline bool scene_grips(const struct scene_support *s)
+{
+    return s->from > 0 || s->until > 0;
+}
 
 /* Adds a copy of *load. */
 enum status scene_add_load(struct scene *scene, const struct scene_load *load);
@@ -352,9 +375,12 @@ void scene_initial_velocity(const struct scene *scene, const double xyz[3], doub
  * rests. */
 bool scene_is_cantilever(const struct scene *scene);
 
-/* Tells whether one of the supports holds all of the edge of a sheet where u (i = 0) or v
- * begins, or ends, in x, y, z; it may move. */
+/* Tells whether one of the supports, no gripper, holds all of the edge of a sheet where u
+ * (i = 0) or v begins, or ends, in x, y, z; it may move. */
 bool scene_edge_clamped(const struct scene *scene, int sheet, int i, bool end);
+
+/* Returns the highest speed of the wind, of drag and of air [m/s]. */
+double scene_wind_speed(const struct scene *scene);
 
 /* Tells whether all that acts on a flat sheet is the same all across it, along v: it moves
  * as a strip. */

@@ -53,8 +53,8 @@ static double free_inverse_mass(const struct pb_motion *m, int a)
     return place[0] >= 0 || place[1] >= 0 || place[2] >= 0 ? inverse_mass(m, a) : 0;
 }
 
-/* Puts what points have of their own; the sweep's origin goes a way in a step. */
-static void put_points(struct pb_motion *m, const double way[3])
+/* Puts what points have of their own. */
+static void put_points(struct pb_motion *m)
 {
     double *w = m->work, *kick = w + count(m), *keep = kick + count(m);
 
@@ -67,8 +67,8 @@ static void put_points(struct pb_motion *m, const double way[3])
             bool held = m->net.supports.free_index[c] < 0;
             w[c] = held ? 0 : inverse;
             kick[c] = w[c] * m->dt * m->dt * m->net.load[c];
-            if (way[c % 3] != 0)
-                kick[c] += (keep[a] - 1) * way[c % 3];
+            if (m->way[c % 3] != 0)
+                kick[c] += (keep[a] - 1) * m->way[c % 3];
         }
     }
     pb_sweep_put(m->sweep, PB_W, 3, w);
@@ -163,11 +163,9 @@ static int list_odd(struct pb_motion *m)
 /* Lets the sweep's origin follow, and puts what depends on it; `new`: in any case. */
 static void follow(struct pb_motion *m, bool new)
 {
-    double way[3];
-
-    if (!pb_sweep_follow(m->sweep, m->net.x, m->net.v, way) && !new)
+    if (!pb_sweep_follow(m->sweep, m->net.x, m->net.v, m->way) && !new)
         return;
-    put_points(m, way);
+    put_points(m);
     for (size_t n = 0; n < count(m); n++)
         m->work[n] = m->dt * m->net.v[n];
     pb_sweep_put(m->sweep, PB_X, 3, m->net.x);
@@ -187,7 +185,7 @@ static enum status make_sweep(struct pb_motion *m, enum precision precision)
                            .dt = m->dt,
                            .origin.length =
                                precision == PRECISION_SINGLE ? m->net.scene->length : 0,
-                           .origin.carried = m->net.supports.held_count == 0,
+                           .origin.carried = supports_most(&m->net.supports) == 0,
                            .odd = m->odd,
                            .odd_count = list_odd(m),
                            .link = m->link,
@@ -311,6 +309,7 @@ enum status pb_motion_init(struct pb_motion *m, const struct scene *scene,
     TRY(set_steps(m, d, why));
     net_arrive(&m->net, one ? 1 : d->iterations, MOST_ITERATIONS, m->dt, &m->arrival);
     TRY(make_contact(m));
+    TRY(net_make_air(&m->net));
     TRY(make_sweep(m, d->precision));
 out:
     return st;
@@ -384,6 +383,35 @@ static bool ends(struct pb_motion *m, int done, bool bends, double t)
     return arrival_ends(&m->arrival, done, &f, t);
 }
 
+/* Lets grippers take hold and let go at time t: constraints know what is held. */
+static void change_hands(struct pb_motion *m, double t)
+{
+    struct supports *s = &m->net.supports;
+
+    if (!s->whose)
+        return;
+    pb_sweep_get(m->sweep, PB_X, 3, m->before);
+    if (!supports_change(s, m->net.scene, t, m->before))
+        return;
+    put_points(m);
+    put_springs(m);
+    put_forms(m);
+    list_odd(m);
+}
+
+/* Puts the air's force in a step from time t. */
+static void meet_air(struct pb_motion *m, double t)
+{
+    double *x = m->work, *v = x + count(m);
+
+    pb_sweep_get(m->sweep, PB_X, 3, x);
+    pb_sweep_get(m->sweep, PB_D, 3, v);
+    for (size_t n = 0; n < count(m); n++)
+        v[n] /= m->dt;
+    net_blow(&m->net, t, m->dt, x, v);
+    put_points(m);
+}
+
 /* Ends a step by the law of contact. */
 static enum status meet_bodies(struct pb_motion *m, double t)
 {
@@ -414,6 +442,9 @@ static enum status substep(struct pb_motion *m, bool asked, struct counters *cou
     enum status st = STATUS_OK;
     int done = 0;
 
+    change_hands(m, t - m->dt);
+    if (m->net.calm)
+        meet_air(m, t - m->dt);
     if (looks)
         pb_sweep_get(m->sweep, PB_D, 3, m->before);
     pb_sweep_predict(m->sweep, recalls);

@@ -91,6 +91,7 @@ struct pb_motion {
     int substeps;
     int bending_every;   /* so many substeps                                           */
     double dt;           /* length of a substep                                  [s]    */
+    double way[3];       /* of the sweep's origin in it                          [m]    */
     double softening;    /* greatest share that one iteration adds to a compliance [1]  */
     double rest_energy;  /* round-off of the energy at rest                      [J]    */
     long substep, frame; /* taken so far                                               */

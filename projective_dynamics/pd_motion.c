@@ -6,6 +6,7 @@
 
 #include "models/damping.h"
 #include "models/mechanics/reaction.h"
+#include "models/mesh/mesh_air.h"
 #include "models/room.h"
 
 static const double PAPER_DAMPING = 0.005; /* share of the velocity lost a frame       */
@@ -21,7 +22,8 @@ static double fall(const struct pd_motion *m, int c, ptrdiff_t at)
     const struct scene *scene = m->scene;
     double wind = scene->drag * scene->thickness * m->mesh.area[0] / m->energy.mass[0];
 
-    return scene->gravity[c] + wind * scene->wind[c] + (m->dead ? m->dead[at] : 0);
+    return scene->gravity[c] + wind * scene->wind[c] + (m->dead ? m->dead[at] : 0) +
+           (m->blow ? m->blow[at] : 0);
 }
 
 /* --- Chebyshev's acceleration (Wang 2015), held back where the sheet folds: it waits for
@@ -129,6 +131,59 @@ bool pd_motion_take_back(struct pd_motion *m, bool last, int *number, double *va
     return true;
 }
 
+/* --- air ---------------------------------------------------------------------------------
+ */
+
+/* Makes what the air needs; after the loads. */
+static enum status make_air(struct pd_motion *m)
+{
+    enum status st = mesh_air(&m->mesh, m->scene, &m->air);
+    const struct pd_net *net = &m->energy.net;
+    const size_t nodes = (size_t)net->nodes;
+    double *load, *drag;
+
+    if (st != STATUS_OK || m->air.density == 0)
+        return st;
+    TRY(room_cut(&m->room, ROOM(m->gust_x, 3 * nodes), ROOM(m->gust_v, 3 * nodes),
+                 ROOM(m->gust_from, 3 * nodes), ROOM(m->gust.force, 3 * nodes),
+                 ROOM(m->gust.hold, nodes), ROOM(load, 3 * nodes), ROOM(drag, nodes)));
+    for (int k = 0; k < net->nodes; k++) {
+        drag[k] = m->alpha * m->energy.mass[k];
+        for (int c = 0; c < 3; c++)
+            load[3 * k + c] = m->energy.mass[k] * fall(m, c, c * pd_net_stride(net) + k);
+    }
+    m->gust.nodes = net->nodes, m->gust.mass = m->energy.mass;
+    m->gust.load = load, m->gust.drag = drag;
+    m->gust.x = m->gust_x, m->gust.v = m->gust_v, m->gust.from = m->gust_from;
+    if (!(m->blow = pd_net_fields(net, 3)))
+        st = STATUS_MEMORY;
+out:
+    return st;
+}
+
+/* Computes the air's force in a step of `span` from the velocities `from`, on the shape to
+ * which v leads from x in dt; now if both are 0. */
+static void meet_air(struct pd_motion *m, const double *x, double dt, const double *from,
+                     double span)
+{
+    const struct pd_net *net = &m->energy.net;
+
+    if (!m->blow)
+        return;
+    for (int n = 0; n < 3 * net->nodes; n++) {
+        const ptrdiff_t at = n % 3 * pd_net_stride(net) + n / 3;
+        m->gust_v[n] = m->v[at], m->gust_from[n] = from[at];
+        m->gust_x[n] = x[at] + dt * m->v[at];
+    }
+    m->gust.dt = span;
+    air_blow(&m->air, m->scene, m->time + dt);
+    air_ahead(&m->air, &m->gust);
+    for (int n = 0; n < 3 * net->nodes; n++)
+        if (m->energy.mass[n / 3] > 0)
+            m->blow[n % 3 * pd_net_stride(net) + n / 3] =
+                m->gust.force[n] / m->energy.mass[n / 3];
+}
+
 /* --- BDF2 (pd_motion.h) ------------------------------------------------------------------
  */
 
@@ -146,27 +201,84 @@ static void begin_backward(struct pd_motion *m)
     }
 }
 
-/* Makes the history before the start, where nothing pulls; m->next is work. */
-static enum status remember(struct pd_motion *m)
+/* Makes the history of an unknown on which no neighbour pulls. */
+static void remember(struct pd_motion *m, int c, int node)
+{
+    const ptrdiff_t at = c * pd_net_stride(&m->energy.net) + node;
+    const double gain = m->dt * (fall(m, c, at) - m->alpha * m->v[at]);
+
+    m->backward.v[at] = m->v[at] - gain;
+    m->backward.x[at] = m->x[at] - m->dt * (m->v[at] - gain / 2);
+}
+
+/* Makes the history before the start. */
+static enum status make_history(struct pd_motion *m)
 {
     const struct pd_net *net = &m->energy.net;
-    const ptrdiff_t stride = pd_net_stride(net);
     struct pd_backward *b = &m->backward;
     enum status st;
 
-    b->count = (size_t)(3 * stride - net->pad);
+    b->count = (size_t)(3 * pd_net_stride(net) - net->pad);
     TRY(room_cut(&b->room, ROOM(b->x, b->count), ROOM(b->v, b->count),
                  ROOM(b->origin, b->count), ROOM(b->speed, b->count)));
-    for (int c = 0; c < 3; c++)
-        for (int k = 0; k < net->nodes; k++)
-            if (!m->system.held[c * net->nodes + k])
-                m->next[c * stride + k] =
-                    fall(m, c, c * stride + k) - m->alpha * m->v[c * stride + k];
-    for (size_t n = 0; n < b->count; n++) {
-        const double gain = m->dt * m->next[n];
-        b->v[n] = m->v[n] - gain;
-        b->x[n] = m->x[n] - m->dt * (m->v[n] - gain / 2);
+    meet_air(m, m->x, 0, m->v, 0);
+    memcpy(b->x, m->x, b->count * sizeof *b->x);
+    for (int n = 0; n < 3 * net->nodes; n++)
+        if (!m->system.held[n])
+            remember(m, n / net->nodes, n % net->nodes);
+out:
+    return st;
+}
+
+/* --- grippers ----------------------------------------------------------------------------
+ */
+
+static enum status make_system(struct pd_motion *m)
+{
+    return pd_system_init(&m->system, &m->energy, &m->supports, 1 + m->alpha * m->span,
+                          m->span * m->span, m->share > 0 ? m->share : 1,
+                          m->options.solver);
+}
+
+/* Gives what is held the velocity of its support, now and a step ago; what was let go has
+ * had that of a flight. */
+static void lead(struct pd_motion *m)
+{
+    const struct supports *s = &m->supports;
+    struct pd_backward *b = &m->backward;
+    const int nodes = m->energy.net.nodes;
+
+    for (int n = 0; m->options.second && n < 3 * nodes; n++)
+        if (m->system.held[n] && s->free_index[n % nodes * 3 + n / nodes] >= 0)
+            remember(m, n / nodes, n % nodes);
+    for (int side = -1; side < 2; side += 2) {
+        supports_shift(s, m->scene, m->time + side * m->dt, m->shift);
+        for (int h = 0; h < s->held_count; h++) {
+            const ptrdiff_t at =
+                s->held[h] % 3 * pd_net_stride(&m->energy.net) + s->held[h] / 3;
+            m->v[at] = (side < 0 ? 0 : m->v[at]) + side * m->shift[h] / (2 * m->dt);
+            if (m->options.second && side > 0)
+                b->v[at] = m->v[at], b->x[at] = m->x[at] - m->dt * m->v[at];
+        }
     }
+}
+
+/* Lets grippers take hold and let go, at the start of a step. */
+static enum status change_hands(struct pd_motion *m)
+{
+    enum status st = STATUS_OK;
+    const struct pd_net *net = &m->energy.net;
+
+    for (int n = 0; m->spread && n < 3 * net->nodes; n++)
+        m->spread[n] = m->x[n % 3 * pd_net_stride(net) + n / 3];
+    if (!m->spread || !supports_change(&m->supports, m->scene, m->time, m->spread))
+        return st;
+    lead(m);
+    pd_system_clear(&m->system);
+    TRY(make_system(m));
+    m->counted = false;
+    if (m->options.chebyshev)
+        TRY(find_radius(m));
 out:
     return st;
 }
@@ -202,9 +314,12 @@ static enum status allocate(struct pd_motion *m)
         return STATUS_MEMORY;
     for (int n = 0; n < COUNT; n++)
         *fields[n] = m->fields + 3 * n * pd_net_stride(net);
-    m->shift = calloc((size_t)m->supports.held_count + 1, sizeof *m->shift);
+    m->shift = calloc((size_t)supports_most(&m->supports) + 1, sizeof *m->shift);
+    if (m->supports.whose && m->shift)
+        m->spread = calloc(3 * (size_t)net->nodes, sizeof *m->spread);
     m->push = calloc((size_t)m->scene->obstacle_count + 1, sizeof *m->push);
-    return m->shift && m->push ? STATUS_OK : STATUS_MEMORY;
+    return m->shift && m->push && (m->spread || !m->supports.whose) ? STATUS_OK
+                                                                    : STATUS_MEMORY;
 }
 
 static enum status add_loads(struct pd_motion *m)
@@ -278,8 +393,12 @@ void pd_motion_clear(void *motion)
 
     pd_net_free_fields(&m->energy.net, m->fields);
     pd_net_free_fields(&m->energy.net, m->dead);
+    pd_net_free_fields(&m->energy.net, m->blow);
+    air_clear(&m->air);
+    free(m->room);
     free(m->shift);
     free(m->push);
+    free(m->spread);
     free(m->backward.room);
     pd_contact_clear(&m->contact);
     pd_local_clear(&m->local);
@@ -299,7 +418,6 @@ enum status pd_motion_init(struct pd_motion *m, const struct scene *scene,
                                      .mesh = options->mesh,
                                      .seed = options->seed,
                                      .refine = options->refine};
-    double share = 0;
 
     *m = (struct pd_motion){.scene = scene, .options = *options};
     m->dt = scene->step / options->substeps;
@@ -310,20 +428,20 @@ enum status pd_motion_init(struct pd_motion *m, const struct scene *scene,
     TRY(pd_energy_init(&m->energy, scene, mesh, options->constraint, options->parameters));
     m->alpha = mass_damping(scene, &m->energy, options->parameters);
     if (options->split)
-        share = find_share(m);
-    TRY(pd_system_init(&m->system, &m->energy, &m->supports, 1 + m->alpha * m->span,
-                       m->span * m->span, share > 0 ? share : 1, options->solver));
-    TRY(pd_local_init(&m->local, &m->energy, m->span * m->span, share));
+        m->share = find_share(m);
+    TRY(make_system(m));
+    TRY(pd_local_init(&m->local, &m->energy, m->span * m->span, m->share));
     if (contact_wanted(scene))
         TRY(pd_contact_init(&m->contact, scene, &m->system, mesh, m->supports.free_index));
     TRY(allocate(m));
     TRY(add_loads(m));
+    TRY(make_air(m));
     make_arrival(m);
     if (options->chebyshev)
         TRY(find_radius(m));
     start(m);
     if (options->second)
-        TRY(remember(m));
+        TRY(make_history(m));
 out:
     return st;
 }
@@ -354,6 +472,7 @@ void pd_motion_begin(struct pd_motion *m)
         begin_backward(m);
         m->origin = m->backward.origin, m->speed = m->backward.speed;
     }
+    meet_air(m, m->start, m->dt, m->speed, span);
     for (int c = 0; c < 3; c++) {
         ptrdiff_t first = c * pd_net_stride(net);
         for (int k = 0; k < net->nodes; k++) {
@@ -564,6 +683,7 @@ static enum status step(struct pd_motion *m, struct counters *counters)
     enum status st;
     long pushes = m->contact.solves;
 
+    TRY(change_hands(m));
     pd_motion_begin(m);
     TRY(iterate(m, counters));
     counters->solves += m->contact.solves - pushes;

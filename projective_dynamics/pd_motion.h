@@ -10,6 +10,7 @@
 #ifndef PD_MOTION_H
 #define PD_MOTION_H
 
+#include "models/mechanics/air.h"
 #include "models/mechanics/arrival.h"
 #include "models/model.h"
 #include "projective_dynamics/pd_contact.h"
@@ -62,6 +63,7 @@ struct pd_motion {
     double (*push)[6]; /* [obstacles] force and moment, mean over the last frame [N, N m]
                           owned                                                        */
     double dt, alpha;  /* [s], [1/s]                                                    */
+    double share;      /* ADMM's weight of the split; 0: there is none                   */
     double span;       /* Euler's step [s]: dt, less with BDF2                          */
     struct pd_backward backward;  /* all zero without BDF2                             */
     const double *origin, *speed; /* where and how fast the span begins, three fields  */
@@ -72,9 +74,15 @@ struct pd_motion {
     double *fields; /* memory of the next seven                             owned    */
     double *x, *v;  /* three fields each                                            */
     double *base, *start, *next, *before; /* work, the same                           */
-    double *saved; /* Chebyshev: what it may fall back to, as x                       */
-    double *shift; /* [held]                          owned    */
-    double *dead;  /* accelerations by the scene's loads, as x; NULL: none    owned    */
+    double *saved;  /* Chebyshev: what it may fall back to, as x                       */
+    double *shift;  /* [held]                          owned    */
+    double *spread; /* [nodes][3] with grippers: x                          owned    */
+    double *dead;   /* accelerations by the scene's loads, as x; NULL: none    owned    */
+    struct air air; /* density 0: none                                                 */
+    double *blow;   /* accelerations by it in the step, as x; NULL: none      owned    */
+    struct air_step gust; /* of the step's air, with arrays of `room`                   */
+    double *gust_x, *gust_v, *gust_from; /* its x, v and from                          */
+    void *room; /*                                                  owned    */
     double time;
     bool counted; /* the factorisation of create                                       */
 };

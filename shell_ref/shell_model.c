@@ -201,27 +201,40 @@ static enum status add_loads(struct shell *m)
 }
 
 /* Fills in the functions at the points of the mass, which lie in each element alike. */
-static enum status press(struct shell *m)
+static void fill_functions(struct shell *m, double *shape)
 {
     const struct shell_space *s = &m->space;
     struct shell_element *e = &m->assembly.work[0];
     struct shell_place place[SHELL_MAX_POINTS];
-    const int points = shell_space_places(s, SHELL_MASS, 0, place), local = s->local;
-    enum status st =
-        pressure_init(&m->march.pressure, m->scene, s->elements, points, local, s->ien);
-    double *shape = m->march.pressure.shape;
+    const int local = s->local;
 
-    if (!shape)
-        return st;
-    for (int n = 0; n < s->elements; n++) {
+    for (int n = 0; shape && n < s->elements; n++) {
         const double *T;
-        shell_space_places(s, SHELL_MASS, n, place);
+        const int points = shell_space_places(s, SHELL_MASS, n, place);
         shell_space_functions(s, SHELL_MASS, n, e->at[SHELL_MASS].room, &T);
         for (int q = 0; q < points; q++)
             for (int a = 0; a < SHELL_SLOPES * local; a++)
                 *shape++ = T[a * s->rule[SHELL_MASS].padded + q] *
                            (a < local ? place[q].weight : 1);
     }
+}
+
+/* Makes pressure and air. */
+static enum status press(struct shell *m)
+{
+    enum status st;
+    const struct shell_space *s = &m->space;
+    struct shell_place place[SHELL_MAX_POINTS];
+    const int points = shell_space_places(s, SHELL_MASS, 0, place);
+
+    TRY(pressure_init(&m->march.pressure, m->scene, s->elements, points, s->local, s->ien));
+    TRY(air_init(&m->march.air, m->scene, s->elements, points, s->local));
+    fill_functions(m, m->march.pressure.shape);
+    fill_functions(m, m->march.air.shape);
+    if (m->march.air.node)
+        memcpy(m->march.air.node, s->ien,
+               (size_t)s->elements * (size_t)s->local * sizeof *s->ien);
+out:
     return st;
 }
 
@@ -295,7 +308,7 @@ static enum status clamp_edges(struct shell *m, struct message *why)
                             "support %d misses the mid-surface w = 1/2, and a shell has "
                             "nothing else to hold",
                             n));
-        if (s->fix != FIX_XYZ || s->lo[2] == s->hi[2])
+        if (s->fix != FIX_XYZ || s->lo[2] == s->hi[2] || scene_grips(s))
             continue;
         for (int d = 0; d < 2; d++) {
             m->clamp[held->support_count] = n;
@@ -862,7 +875,8 @@ const struct model shell_model = {
               SCENE_NEED_THICKNESS_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_CURVED_REST |
               SCENE_NEED_CLOSED_REST | SCENE_NEED_INITIAL_MOTION | SCENE_NEED_SHEETS |
               SCENE_NEED_FABRIC | SCENE_NEED_BIAS | SCENE_NEED_SOFTENING |
-              SCENE_NEED_PRESSURE | SCENE_NEED_OWN_MATERIALS,
+              SCENE_NEED_PRESSURE | SCENE_NEED_AIR | SCENE_NEED_GRIPPERS |
+              SCENE_NEED_OWN_MATERIALS,
     .options = options,
     /* Degree 3: seven times nearer to edge_drop's truth than degree 2 on the same net, in
      * about the same time: Newton's method takes fewer tangents. */

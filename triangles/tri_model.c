@@ -172,6 +172,8 @@ static enum status refuse(const struct scene *scene, const struct discretization
          "a mesh, or bending=midedge: with membrane=green or springs only"},
         {meshed && needs & SCENE_NEED_SOFTENING,
          "softening: of a grid with bending=quadratic only"},
+        {leaps && d->precision == PRECISION_SINGLE && spring_leapfrog_lacks(scene),
+         "air and grippers: with precision=double only where steps are explicit"},
         {needs & SCENE_NEED_OWN_MATERIALS && (leaps || hinges),
          "sheets with materials of their own: integrator=momentum or implicit with "
          "bending=quadratic only"},
@@ -208,7 +210,7 @@ static enum status init(void *state, const struct scene *scene,
         TRY(tri_body_init(&m->body, scene, &m->triangles, OWN(tri_own, d)->membrane));
     }
     if (!m->meshed && d->integrator == INTEGRATOR_LEAPFROG &&
-        d->bending == BENDING_QUADRATIC)
+        d->bending == BENDING_QUADRATIC && !spring_leapfrog_lacks(scene))
         TRY(make_swept(m, d));
     TRY(make_march(m, d, why));
 out:

@@ -205,6 +205,8 @@ static enum status substep(struct vb_motion *m, bool asked, struct counters *cou
     enum status st = STATUS_OK;
     double t = (double)(m->substep + 1) / m->substeps * m->net.scene->step;
 
+    supports_change(&m->net.supports, m->net.scene, t - m->dt, m->net.x);
+    net_blow(&m->net, t - m->dt, m->dt, m->net.x, m->net.v);
     predict(m);
     net_hold(&m->net, t);
     counters->iterations += sweep(m, asked, t);
@@ -325,6 +327,7 @@ static enum status init(void *state, const struct scene *scene,
     TRY(allocate(m));
     m->rest_energy = m->net.mesh.flat.start ? 0 : elastic(m);
     TRY(make_contact(m));
+    TRY(net_make_air(&m->net));
     net_arrive(&m->net, d->iterations, MOST_SWEEPS, m->dt, &m->arrival);
     m->arrival.descends = !(m->own.chebyshev > 0);
 out:

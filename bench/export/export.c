@@ -238,10 +238,15 @@ static bool may_leave(const struct export_sheet *s, int i, int j)
     return !has_direction(held_whole(s, i, j), low, high);
 }
 
-static enum status check_thickness(const struct scene *scene, struct message *why)
+static enum status check_held(const struct scene *scene, struct message *why)
 {
     for (int n = 0; n < scene->support_count; n++) {
         const struct scene_support *s = &scene->supports[n];
+        if (scene_grips(s))
+            return status_fail(why, STATUS_UNSUPPORTED,
+                               "supports[%d] takes hold or lets go: held.csv and paths.csv "
+                               "know what is held from start to end",
+                               n);
         if (!is_whole(s) && !(s->lo[2] == 0.5 && s->hi[2] == 0.5))
             return status_fail(
                 why, STATUS_UNSUPPORTED,
@@ -427,7 +432,7 @@ static enum status export_held_find(struct arena *arena, struct export_sheet *s,
     struct supports supports SCOPED(supports_clear) = {0};
 
     *held = (struct export_held){0};
-    CALL(check_thickness(s->scene, why));
+    CALL(check_held(s->scene, why));
     CALL(find_supports(arena, s, &supports, why));
     /* a vertex may have one outside along u and one along v; a mesh two an edge */
     held->vertex = arena_take(arena, 7 * ((size_t)vertices + 1), sizeof *held->vertex);
@@ -1057,6 +1062,13 @@ static void put_forces(const struct scene *s, struct output *out)
         put_words(out, "drag: {coefficient: #", &s->drag);
         put_words(out, ", wind: [#, #, #]}\n", s->wind);
     }
+    if (s->air.density > 0) {
+        put_words(out, "air:\n  density: #\n", &s->air.density);
+        put_words(out, "  drag: [#, #]\n", s->air.drag);
+        output_print(out, "%s", s->air.wind_count ? "  wind:\n" : "");
+        for (int n = 0; n < s->air.wind_count; n++)
+            put_words(out, "    - [#, #, #, #]\n", s->air.wind[n]);
+    }
     output_print(out, "damping: {kind: %s", damping_words[d->kind]);
     if (d->kind == DAMPING_RAYLEIGH)
         put_words(out, ", alpha: #, beta: #", (double[]){d->alpha, d->beta});
@@ -1303,6 +1315,12 @@ static void put_physics(const struct export_job *j, struct output *out)
                      "- Body drag: %g kg/m^3/s times (wind - velocity) per volume, wind "
                      "%g %g %g m/s: times area and h per vertex.\n",
                      c->drag, c->wind[0], c->wind[1], c->wind[2]);
+    if (needs & SCENE_NEED_AIR)
+        output_print(out,
+                     "- Air of %g kg/m^3 in the wind of scene.yaml: w the wind less the "
+                     "velocity, n the normal, w_n = (w n) n, a force of %g/2 (%g |w_n| w_n "
+                     "+ %g |w - w_n| (w - w_n)) times a vertex's present area.\n",
+                     c->air.density, c->air.density, c->air.drag[0], c->air.drag[1]);
     if (needs & SCENE_NEED_PRESSURE)
         output_print(out,
                      "- Pressure of %g Pa against the outward normal, as it turns: times a "

@@ -47,7 +47,7 @@ static double pulled_at(const struct scene *scene, const struct scene_support *a
 }
 
 /* Returns to how many times its length supports pull the sheet between them, at most; 1:
- * not at all. */
+ * not at all. Grippers have it between them as it hangs. */
 static double pulled(const struct scene *scene)
 {
     double most = 1;
@@ -55,7 +55,8 @@ static double pulled(const struct scene *scene)
     for (int n = 0; n < scene->support_count; n++)
         for (int k = 0; k < n; k++) {
             const struct scene_support *a = &scene->supports[n], *b = &scene->supports[k];
-            for (int t = 0; a->sheet == b->sheet && t <= TIMES; t++)
+            const bool pull = a->sheet == b->sheet && !scene_grips(a) && !scene_grips(b);
+            for (int t = 0; pull && t <= TIMES; t++)
                 most = fmax(most, pulled_at(scene, a, b, scene->end * t / TIMES));
         }
     return most;
@@ -126,7 +127,7 @@ double distrust_strain(const struct scene *s)
 
 static bool is_moved(const struct scene *s)
 {
-    bool moved = s->pressure != 0 || vector_length(s->wind) > 0;
+    bool moved = s->pressure != 0 || scene_wind_speed(s) > 0;
 
     for (int n = 0; n < s->support_count; n++)
         moved |= SCENE_MOVES(s->supports[n].motion);

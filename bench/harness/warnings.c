@@ -118,6 +118,8 @@ static double largest_jump(const struct scene *s)
 
     for (int n = 0; n < s->support_count; n++) {
         const struct scene_motion *m = &s->supports[n].motion;
+        const double until = s->supports[n].until,
+                     end = until > 0 ? fmin(until, s->end) : s->end;
         double jump = 0, fastest = 0;
         for (int k = 0; k < m->path_count; k++) {
             double v[3], by[3];
@@ -126,7 +128,7 @@ static double largest_jump(const struct scene *s)
                 by[i] = v[i] - before_row(s, m, k, i);
             }
             fastest = fmax(fastest, vector_length(v));
-            if (m->path[k][0] >= 0 && m->path[k][0] < s->end)
+            if (m->path[k][0] >= s->supports[n].from && m->path[k][0] < end)
                 jump = fmax(jump, vector_length(by));
         }
         most = jump > fastest / 10 ? fmax(most, jump) : most;

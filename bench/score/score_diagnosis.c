@@ -169,7 +169,8 @@ static bool falls_free(const struct scene *scene)
         thrown = thrown || v[c] != 0 || w[c] != 0;
     }
     return moves && !thrown && !scene->support_count && !scene->obstacle_count &&
-           !scene->load_count && scene->drag == 0 && scene->damping.kind == DAMPING_NONE;
+           !scene->load_count && scene->drag == 0 && scene->air.density == 0 &&
+           scene->damping.kind == DAMPING_NONE;
 }
 
 static void add_fall(const struct score *s, const double shift[3], struct sums *sums)

@@ -52,6 +52,12 @@ enum status truth_plan_check(const struct scene *scene, struct message *why)
 {
     for (int n = 0; n < scene->support_count; n++) {
         const struct scene_support *s = &scene->supports[n];
+        if (scene_grips(s))
+            return status_fail(
+                why, STATUS_UNSUPPORTED,
+                "%s has no truth: support %d takes hold or lets go, which stops or frees "
+                "points at once, and refinement has not been seen to agree on what follows",
+                scene->name, n);
         if (!(s->hi[0] > s->lo[0]) && !(s->hi[1] > s->lo[1]))
             return status_fail(
                 why, STATUS_UNSUPPORTED,

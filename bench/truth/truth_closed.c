@@ -27,7 +27,8 @@ static bool falls(const struct scene *s)
     const bool rate = s->damping.kind == DAMPING_NONE || s->damping.kind == DAMPING_MASS;
 
     return rate && s->sheets < 2 && !s->support_count && !s->load_count &&
-           !s->obstacle_count && vector_length(s->spin) == 0 && !scene_ripples(s);
+           !s->obstacle_count && vector_length(s->spin) == 0 && !scene_ripples(s) &&
+           s->air.density == 0;
 }
 
 /* Returns (exp(-x) - 1 + x) / x^2, x >= 0. */
@@ -93,7 +94,7 @@ static bool is_uncoupled(const struct scene *s)
 static bool rests(const struct scene *s)
 {
     return s->shape == SCENE_FLAT && is_uncoupled(s) && scene_is_cantilever(s) &&
-           !s->load_count && !s->obstacle_count && s->drag == 0;
+           !s->load_count && !s->obstacle_count && s->drag == 0 && s->air.density == 0;
 }
 
 /* Returns what is left at t of a motion by x'' + alpha x' + omega^2 x = 0. */

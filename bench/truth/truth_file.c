@@ -49,6 +49,8 @@ static void print_supports(const struct scene *s, FILE *out)
         print(out, "support to", 3, support->hi);
         if (support->part_count)
             print(out, "support part", 6 * support->part_count, support->part[0][0]);
+        if (scene_grips(support))
+            print(out, "support holds", 2, (double[]){support->from, support->until});
         print_motion(&support->motion, "support", out);
     }
 }
@@ -152,6 +154,10 @@ enum status truth_physics(const struct scene *s, char **text)
     print(out, "drag", 1, &s->drag);
     if (s->drag != 0)
         print(out, "wind", 3, s->wind);
+    if (s->air.density > 0)
+        print(out, "air", 3, (double[]){s->air.density, s->air.drag[0], s->air.drag[1]});
+    for (int n = 0; s->air.density > 0 && n < s->air.wind_count; n++)
+        print(out, "blows", 4, s->air.wind[n]);
     if (scene_needs(s) & SCENE_NEED_INITIAL_MOTION) {
         print(out, "velocity", 3, s->velocity);
         print(out, "spin", 3, s->spin);

@@ -39,7 +39,7 @@ static double given_speed(const struct scene *s)
         most = fmax(most, fastest(&s->supports[n].motion, L));
     for (int o = 0; o < s->obstacle_count; o++)
         most = fmax(most, fastest(&s->obstacles[o].motion, L));
-    return s->drag > 0 ? fmax(most, vector_length(s->wind)) : most;
+    return fmax(most, scene_wind_speed(s));
 }
 
 double contact_law_speed(const struct scene *s)

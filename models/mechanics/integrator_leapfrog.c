@@ -4,7 +4,8 @@
  *     x(n+1) = x(n) + dt v(n+1/2),   M a(n) = load - f(x(n)),
  * whose first and last kicks in a frame are half ones, v(n) the mean of v(n-1/2) and
  * v(n+1/2): v belongs to x at its ends.
- * Stiffness damping takes the rate of strain of half a step ago: first order in beta. No
+ * Stiffness damping takes the rate of strain of half a step ago: first order in beta. Air
+ * takes the velocity of half a step ago and the acceleration then, for the present one. No
  * tangent is made in a step.
  *
  * Mass. Row sums (lumped_mass.h): M is diagonal, and a step costs its forces. Of a body
@@ -63,7 +64,7 @@ struct leapfrog {
     double *x_start, *v_start; /* [nodes][3] where the frame began                      */
     double *before;            /* [nodes][3] with contact                                 */
     double *compliance;        /* [nodes] with contact: dt^2 / mass               [m/N]   */
-    double *blow;              /* [nodes][3] force of the pressure at x             [N]   */
+    double *blow;              /* [nodes][3] force of pressure and air at x         [N]   */
     double *pull;  /* [held_count] force less load                                       */
     double *reach; /* [held_count] with m->beyond: beyond a of the last add_beyond       */
     double *along; /* [frames] as pull, along the ways that are free                     */
@@ -104,13 +105,16 @@ static void make_mass(struct leapfrog *l)
     }
 }
 
-/* Chooses the step with the tangent m->K about rest; l->a is work. */
+/* Chooses the step with the tangent about rest, m->K; l->a is work. */
 static enum status choose_step(struct leapfrog *l, struct message *why)
 {
     enum status st;
-    const struct march *m = l->m;
+    struct march *m = l->m;
     double omega;
 
+    m->factored = -1;
+    TRY(large_body_tangent(&m->body, &large_path_statics, m->rest,
+                           (struct large_foresight){0}, m->K));
     for (int a = 0; a < m->graph->nodes; a++)
         l->a[a] = m->M[m->graph->start[a]];
     TRY(frequency_largest(m->graph, m->supports, l->a, m->beyond, (const double(*)[9])m->K,
@@ -128,7 +132,7 @@ static enum status make(struct march *m, const struct discretization *d,
     struct leapfrog *l = NULL;
     size_t count = march_count(m);
     bool meets = m->contact != NULL, moving = m->supports->moving;
-    size_t held = moving ? (size_t)m->supports->held_count : 0;
+    size_t held = moving ? (size_t)supports_most(m->supports) : 0;
 
     l = calloc(1, sizeof *l);
     if (!l)
@@ -141,17 +145,29 @@ static enum status make(struct march *m, const struct discretization *d,
         ROOM(l->krylov, m->beyond ? krylov_cg_work((int)count) : 0),
         ROOM(l->before, meets ? count : 0), ROOM(l->compliance, meets ? count / 3 : 0),
         ROOM(l->fixed, meets ? count : 0),
-        ROOM(l->blow, m->scene->pressure != 0 ? count : 0),
-        ROOM(l->pull, m->supports->held_count), ROOM(l->along, m->supports->frame_count),
-        ROOM(l->reach, m->beyond ? m->supports->held_count : 0), ROOM(l->shift, held)));
-    m->factored = -1;
-    TRY(large_body_tangent(&m->body, &large_path_statics, m->rest,
-                           (struct large_foresight){0}, m->K));
-    make_mass(l);
+        ROOM(l->blow, m->scene->pressure != 0 || m->scene->air.density > 0 ? count : 0),
+        ROOM(l->pull, supports_most(m->supports)), ROOM(l->along, m->supports->frame_count),
+        ROOM(l->reach, m->beyond ? supports_most(m->supports) : 0), ROOM(l->shift, held)));
     TRY(choose_step(l, why));
+    make_mass(l);
     m->own = l, l = NULL;
 out:
     discard(l);
+    return st;
+}
+
+/* Looks at what is held now. */
+static enum status hold(struct march *m)
+{
+    struct leapfrog *l = m->own;
+    struct message why;
+    enum status st = STATUS_OK;
+
+    if (!l->asked)
+        TRY(choose_step(l, &why));
+    l->substeps <<= l->doublings;
+    make_mass(l);
+out:
     return st;
 }
 
@@ -248,8 +264,26 @@ out:
     return st;
 }
 
-/* Computes a at x; features that the scene lacks cost nothing. */
-static enum status accelerate(struct leapfrog *l, struct counters *counters)
+/* Computes what blows at time t; `since` the time for which v is known. */
+static void blow(struct leapfrog *l, double t, double since)
+{
+    struct march *m = l->m;
+    double *v = m->work;
+
+    memset(l->blow, 0, march_count(m) * sizeof *l->blow);
+    if (m->pressure.value != 0)
+        pressure_force(&m->pressure, 1, NULL, 1, m->x, l->blow);
+    if (m->air.density == 0)
+        return;
+    air_blow(&m->air, m->scene, t);
+    for (size_t k = 0; k < march_count(m); k++)
+        v[k] = m->v[k] + since * (l->a[k] - m->alpha * m->v[k]);
+    air_force(&m->air, 1, &(struct air_motion){.x = m->x, .v = v, .share = 1}, l->blow);
+}
+
+/* Computes a at x and time t; features that the scene lacks cost nothing. */
+static enum status accelerate(struct leapfrog *l, double t, double since,
+                              struct counters *counters)
 {
     enum status st;
     struct march *m = l->m;
@@ -257,23 +291,21 @@ static enum status accelerate(struct leapfrog *l, struct counters *counters)
     const struct large_path path = {
         .s0 = -rate, .s1 = 1 + rate, .g1 = 1, .strain_old = m->strain_old};
 
+    if (l->blow)
+        blow(l, t, since);
     TRY(large_body_force(&m->body, &path, m->x, a));
     if (m->V)
         TRY(damp_plain(l));
-    if (m->pressure.value != 0) {
-        memset(l->blow, 0, march_count(l->m) * sizeof *l->blow);
-        pressure_force(&m->pressure, 1, NULL, 1, m->x, l->blow);
-        for (size_t t = 0; t < march_count(l->m); t++)
-            a[t] -= l->blow[t];
-    }
+    for (size_t k = 0; l->blow && k < march_count(l->m); k++)
+        a[k] -= l->blow[k];
     if (rate > 0)
         TRY(large_body_strain(&m->body, m->x, m->strain_old));
     for (int h = 0; h < m->supports->held_count; h++)
         l->pull[h] =
             supports_get(m->supports, h, a) - supports_get(m->supports, h, m->load);
     counters->assemblies++;
-    for (size_t t = 0; t < march_count(l->m); t++)
-        a[t] = m->load[t] - a[t];
+    for (size_t k = 0; k < march_count(l->m); k++)
+        a[k] = m->load[k] - a[k];
     for (int n = 0; n < m->supports->frame_count; n++)
         l->along[n] = -vector_dot(m->supports->frame[n].axes,
                                   a + 3 * (size_t)m->supports->frame[n].node);
@@ -317,7 +349,7 @@ static enum status begin(struct leapfrog *l, double t, struct counters *counters
         x_before[k] = m->x[k] - step_of(l) * m->v[k];
     if (rate_of(l) > 0)
         TRY(large_body_strain(&m->body, x_before, m->strain_old));
-    TRY(accelerate(l, counters));
+    TRY(accelerate(l, t, 0, counters));
     TRY(store(l, &elastic));
     m->started = true;
 out:
@@ -367,7 +399,7 @@ static void add_work(struct leapfrog *l)
 
     for (int h = 0; s->moving && h < s->held_count; h++)
         l->work += l->pull[h] * l->shift[h] / 2;
-    for (size_t t = 0; l->m->pressure.value != 0 && t < march_count(l->m); t++)
+    for (size_t t = 0; l->blow && t < march_count(l->m); t++)
         l->work += l->blow[t] * half * l->m->v[t];
 }
 
@@ -469,7 +501,7 @@ static enum status run(struct leapfrog *l, double t, struct counters *counters)
         if (l->before)
             TRY(meet(l, t + n * dt, dt));
         add_work(l);
-        TRY(accelerate(l, counters));
+        TRY(accelerate(l, t + (n + 1) * dt, dt / 2, counters));
         add_work(l);
         weigh(l, (n < l->substeps - 1 ? 1 : 0.5) / l->substeps);
         counters->substeps++;
@@ -561,6 +593,7 @@ const struct march_integrator integrator_leapfrog = {
     .explicit = true,
     .make = make,
     .step = step,
+    .hold = hold,
     .rest = march_rest_equilibrium,
     .modes = march_rest_modes,
     .kinetic = told_kinetic,

@@ -195,6 +195,8 @@ static enum status substep(struct march *m, double t, double dt, struct counters
     if (m->V)
         TRY(large_body_tangent(&m->body, &equation.path, x_old, (struct large_foresight){0},
                                m->V));
+    if (m->air.density > 0)
+        air_blow(&m->air, m->scene, t + end * dt);
     if (m->enough != 1)
         guess(m, dt, end);
     if (m->contact) {

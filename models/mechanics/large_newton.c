@@ -44,6 +44,13 @@ struct equation {
 
 /* --- forces --------------------------------------------------------------------------- */
 
+/* Returns how the sheet moves against the air at x. */
+static struct air_motion against_air(const struct large_equation *q, const double *x)
+{
+    return (struct air_motion){
+        .x_old = q->path.x_old, .x = x, .share = q->path.g1, .rate = q->drag};
+}
+
 /* Computes what the equation leaves at x, also at held unknowns; found: contact_find was
  * called at x. */
 static enum status find_left(struct march *m, const struct large_equation *q, bool found,
@@ -60,6 +67,8 @@ static enum status find_left(struct march *m, const struct large_equation *q, bo
         r[t] = q->load * m->load[t] - r[t];
     if (m->pressure.value != 0)
         pressure_force(&m->pressure, q->load, x_old, q->path.g1, x, r);
+    if (m->air.density > 0)
+        air_force(&m->air, q->load, (struct air_motion[]){against_air(q, x)}, r);
     if (m->contact) {
         st = found ? STATUS_OK : contact_find(m->contact, x);
         if (st != STATUS_OK)
@@ -166,6 +175,9 @@ static enum status assemble(struct march *m, const struct large_equation *q,
     if (m->pressure.value != 0)
         pressure_tangent(&m->pressure, q->load, q->path.x_old, q->path.g1, x, m->graph,
                          m->K);
+    if (m->air.density > 0)
+        air_tangent(&m->air, q->load, (struct air_motion[]){against_air(q, x)},
+                    foresight.none, m->graph, m->K);
     for (long k = 0; q->viscosity > 0 && k < 9 * m->body.pairs; k++)
         m->K[k / 9][k % 9] += q->viscosity * m->V[k / 9][k % 9];
     for (int t = 0; m->drag && t < 3 * m->graph->nodes; t++)

@@ -40,6 +40,7 @@ void march_clear(struct march *m)
     free(m->contact);
     contact_outside_clear(&m->outside);
     pressure_clear(&m->pressure);
+    air_clear(&m->air);
     free(m->dead);
     free(m->tangents);
     free(m->room);
@@ -55,7 +56,7 @@ static enum status make_room(struct march *m)
     TRY(room_cut(&m->room, ROOM(m->d, 3 * count), ROOM(m->work, 3 * count),
                  ROOM(x, m->x ? 0 : count), ROOM(load, m->load ? 0 : count),
                  ROOM(M, m->mass ? pairs : 0),
-                 ROOM(m->held, 4 * (size_t)m->supports->held_count),
+                 ROOM(m->held, 4 * (size_t)supports_most(m->supports)),
                  ROOM(m->push, m->scene->obstacle_count),
                  ROOM(m->reaction, m->scene->support_count)));
     m->v = m->d + count, m->a = m->v + count;
@@ -174,10 +175,24 @@ static void start_moving(struct march *m)
             v[t] *= m->dt;
 }
 
+/* Refuses at small displacements what follows the sheet, or its supports. */
+static enum status check(const struct scene *scene, const struct discretization *d,
+                         struct message *why)
+{
+    const unsigned large = scene_needs(scene) & (SCENE_NEED_AIR | SCENE_NEED_GRIPPERS);
+    char text[SCENE_NEEDS_TEXT];
+
+    if (!large || d->kinematics == KINEMATICS_NONLINEAR)
+        return STATUS_OK;
+    scene_needs_text(large, text, sizeof text);
+    return status_fail(why, STATUS_UNSUPPORTED, "%s: with kinematics=nonlinear only", text);
+}
+
 enum status march_init(struct march *m, const struct discretization *d, struct message *why)
 {
     enum status st;
 
+    TRY(check(m->scene, d, why));
     m->kinematics = d->kinematics;
     m->integrator = m->integrator ? m->integrator : integrator_of(d);
     m->asked = (struct discretization){.kinematics = d->kinematics,
@@ -288,6 +303,30 @@ static void damp(struct march *m)
             m->v[t] *= m->keep;
 }
 
+/* Begins anew at time t where grippers took hold or let go. */
+static enum status change_hands(struct march *m, double t)
+{
+    enum status st = STATUS_OK;
+
+    if (!supports_change(m->supports, m->scene, t, m->x))
+        return st;
+    m->started = false;
+    m->orders = 0;
+    m->past_dt = 0;
+    m->factored = -1;
+    contact_coupled_clear(&m->coupled);
+    if (m->system.graph) {
+        system_clear(&m->system);
+        TRY(make_system(m));
+        if (m->follow)
+            TRY(m->follow(m));
+    }
+    if (m->integrator->hold)
+        TRY(m->integrator->hold(m));
+out:
+    return st;
+}
+
 enum status march_step(void *state, struct counters *counters)
 {
     enum status st;
@@ -297,6 +336,9 @@ enum status march_step(void *state, struct counters *counters)
     m->weighed = m->weighs;
     m->weighs = false;
     for (int n = 0; n < m->substeps; n++) {
+        st = change_hands(m, m->time + n * m->dt);
+        if (st != STATUS_OK)
+            return st;
         st = m->integrator->step(m, m->time + n * m->dt, counters);
         system_work(&m->system, counters);
         if (st != STATUS_OK) {
@@ -418,6 +460,8 @@ enum status march_equilibrium(void *state, struct counters *counters, struct mes
     TRY(make_newton(m));
     TRY(make_system(m));
     m->time = supports_rest_time(m->supports, m->scene);
+    if (m->air.density > 0)
+        air_blow(&m->air, m->scene, m->time);
     m->started = false;
     march_forget(m);
     m->weighed = false;

@@ -20,6 +20,7 @@
 #define MARCH_H
 
 #include "models/contact/contact_outside.h"
+#include "models/mechanics/air.h"
 #include "models/mechanics/contact_coupled.h"
 #include "models/mechanics/dead_load.h"
 #include "models/mechanics/large_body.h"
@@ -58,6 +59,8 @@ struct march {
     const unsigned char *parity; /* [nodes][3] system.h, linear bodies only; or NULL     */
     const char *unknowns;        /* their basis, in struct model_size                    */
     const char *singular; /* what else a singular stiffness may mean; NULL: nothing      */
+    enum status (*follow)(struct march *m);  /* sets up an iterated system, after march_init
+                            and where other unknowns are held; or NULL                    */
     enum status (*rebuild)(struct march *m); /* of `printed`: M, stiffness, measure at x */
     double lag;  /* algorithmic viscosity (integrator_momentum.c)                 */
     bool relief; /* lag is march_lag for a while after a step that Newton's method cannot
@@ -95,7 +98,8 @@ struct march {
     double time;       /*                                               [s]     */
     bool started; /* newmark: the system is factored; else strain_old belongs to x       */
     struct pressure pressure; /* value 0: none                                         */
-    struct contact *contact;  /* NULL: nothing to meet                         owned   */
+    struct air air; /* density 0: none; made by the owner of a body, before steps      */
+    struct contact *contact; /* NULL: nothing to meet                         owned   */
     struct contact_outside outside; /* `printed`, in its place                           */
     double (*push)[6];     /* [obstacles] force and moment of bodies, mean over the last
                               step                                       [N, N m]  */
@@ -132,6 +136,8 @@ struct march_integrator {
                         struct message *why);
     /* Takes a step of m->dt from time t, x and v; neither damps nor counts it. */
     enum status (*step)(struct march *m, double t, struct counters *counters);
+    /* Remakes what depends on which unknowns are held, before a step; NULL: nothing. */
+    enum status (*hold)(struct march *m);
     /* Ends a step after velocities were damped; NULL: nothing is left to do. */
     void (*end)(struct march *m, struct counters *counters);
     /* Moves x to equilibrium, at m->time. */

@@ -68,6 +68,8 @@ static enum status unbalanced(struct march *m, double *share)
     memcpy(load, m->load, count * sizeof *load);
     if (m->pressure.value != 0)
         pressure_force(&m->pressure, 1, NULL, 1, m->x, load);
+    if (m->air.density > 0)
+        air_force(&m->air, 1, &(struct air_motion){.x = m->x, .share = 1}, load);
     TRY(large_body_force(&m->body, &large_path_statics, m->x, f));
     for (size_t t = 0; t < count; t++)
         f[t] = load[t] - f[t];
@@ -339,6 +341,9 @@ enum status march_rest_modes(struct march *m, int count, double *omega, struct m
                            m->K));
     if (m->pressure.value != 0)
         pressure_tangent(&m->pressure, 1, NULL, 1, m->x, m->graph, m->K);
+    if (m->air.density > 0)
+        air_tangent(&m->air, 1, &(struct air_motion){.x = m->x, .share = 1}, false,
+                    m->graph, m->K);
     if (m->contact) {
         contact_begin_rest(m->contact, supports_rest_time(m->supports, m->scene),
                            m->scene->step, m->x);

@@ -76,7 +76,17 @@ static bool region_is_area(const struct scene_support *s)
     return s->hi[0] > s->lo[0] && s->hi[1] > s->lo[1];
 }
 
-/* Fills owner[3 nodes]: the support holding each unknown, -1 if none; the first wins. */
+/* Tells whether a support holds in the step that begins at t. */
+static bool holds(const struct scene *scene, int support, double t)
+{
+    const struct scene_support *s = &scene->supports[support];
+    const double same = 1e-6 * scene->step; /* far beyond the rounding of times */
+
+    return t >= s->from - same && (s->until == 0 || t < s->until - same);
+}
+
+/* Fills owner[3 nodes]: the support holding each unknown at the start, -1 if none; the
+ * first wins. */
 static enum status assign(const struct scene *scene, int nodes, double (*uvw)[3],
                           int *owner, struct message *why)
 {
@@ -102,7 +112,7 @@ static enum status assign(const struct scene *scene, int nodes, double (*uvw)[3]
                                    n);
             count++;
             for (int i = 0; i < 3; i++)
-                if (s->fix >> i & 1 && owner[3 * a + i] < 0)
+                if (s->fix >> i & 1 && owner[3 * a + i] < 0 && holds(scene, n, 0))
                     owner[3 * a + i] = n;
         }
         if (!count)
@@ -121,40 +131,64 @@ static enum status assign(const struct scene *scene, int nodes, double (*uvw)[3]
     return STATUS_OK;
 }
 
+/* Lists free and held unknowns by their owners. */
+static void list(struct supports *s, const struct scene *scene, const int *owner,
+                 const double (*uvw)[3], const double *rest)
+{
+    s->free_count = s->held_count = 0;
+    for (int n = 0; n < 3 * s->nodes; n++) {
+        s->free_index[n] = owner[n] == -1 ? s->free_count++ : -1;
+        if (owner[n] == -1)
+            continue;
+        if (s->rest)
+            memcpy(s->rest[s->held_count], rest + 3 * (n / 3), sizeof *s->rest);
+        s->held[s->held_count] = n;
+        s->moving |= owner[n] >= 0 && SCENE_MOVES(scene->supports[owner[n]].motion);
+        s->owner[s->held_count++] =
+            uvw[n / 3][2] == SUPPORTS_DIFFERENCE ? -1 - owner[n] : owner[n];
+    }
+}
+
 enum status supports_init(struct supports *s, const struct scene *scene, int nodes,
                           double (*uvw)[3], const double *rest, struct message *why)
 {
     enum status st;
     size_t count = 3 * (size_t)nodes;
-    bool turns = false;
+    bool turns = false, grips = false;
     struct supports new = {.nodes = nodes};
     int *owner = malloc(count * sizeof *owner);
 
     if (!owner)
         return STATUS_MEMORY;
-    for (int n = 0; n < scene->support_count; n++)
+    for (int n = 0; n < scene->support_count; n++) {
         turns |= scene->supports[n].motion.turn_count > 0;
+        grips |= scene_grips(&scene->supports[n]);
+    }
     TRY(room_cut(&new.room, ROOM(new.free_index, count), ROOM(new.held, count),
                  ROOM(new.owner, count), ROOM(new.carrier, count),
-                 ROOM(new.rest, turns ? count : 0)));
+                 ROOM(new.rest, turns && !grips ? count : 0),
+                 ROOM(new.uvw, grips ? nodes : 0), ROOM(new.whose, grips ? count : 0),
+                 ROOM(new.home, grips ? count : 0), ROOM(new.grip, grips ? count : 0)));
     TRY(assign(scene, nodes, uvw, owner, why));
-    for (int n = 0; n < (int)count; n++) {
-        new.free_index[n] = owner[n] == -1 ? new.free_count++ : -1;
+    new.moving = grips;
+    list(&new, scene, owner, (const double(*)[3])uvw, rest);
+    for (int n = 0; n < (int)count; n++)
         new.carrier[n] = -1;
-        if (owner[n] == -1)
-            continue;
-        if (turns)
-            memcpy(new.rest[new.held_count], rest + 3 * (n / 3), sizeof *new.rest);
-        new.held[new.held_count] = n;
-        new.moving |= owner[n] >= 0 && SCENE_MOVES(scene->supports[owner[n]].motion);
-        new.owner[new.held_count++] =
-            uvw[n / 3][2] == SUPPORTS_DIFFERENCE ? -1 - owner[n] : owner[n];
+    for (int n = 0; grips && n < (int)count; n++) {
+        memcpy(new.uvw[n / 3], uvw[n / 3], sizeof *new.uvw);
+        memcpy(new.grip[n], rest + 3 * (n / 3), sizeof *new.grip);
+        new.whose[n] = owner[n], new.home[n] = rest[n];
     }
     HAND_OVER(s, new);
 out:
     supports_clear(&new);
     free(owner);
     return st;
+}
+
+int supports_most(const struct supports *s)
+{
+    return s->whose ? 3 * s->nodes : s->held_count;
 }
 
 enum status supports_allow_rest(const struct supports *s, const struct scene *scene,
@@ -170,6 +204,11 @@ enum status supports_allow_rest(const struct supports *s, const struct scene *sc
         return status_fail(why, STATUS_UNSUPPORTED,
                            "unsupported: no static equilibrium with obstacles and supports "
                            "that move");
+    if (s->whose)
+        return status_fail(
+            why, STATUS_UNSUPPORTED,
+            "unsupported: no static equilibrium with supports that take hold "
+            "or let go, which depends on the motion");
     if (!scene->support_count && !scene->obstacle_count)
         return status_fail(why, STATUS_INPUT,
                            "static equilibrium needs supports, and the scene has none");
@@ -270,6 +309,62 @@ enum status supports_release(struct supports *s, int first, const int *beside,
     }
     free_ways(s);
     return STATUS_OK;
+}
+
+/* Returns the first support that holds an unknown from t on, -1: none; what is held stays
+ * with whom it has. */
+static int holder(const struct supports *s, const struct scene *scene, int unknown,
+                  double t)
+{
+    const double *uvw = s->uvw[unknown / 3];
+    const int now = s->whose[unknown];
+
+    if (now == SUPPORTS_NOBODY || (now >= 0 && holds(scene, now, t)))
+        return now;
+    for (int n = 0; n < scene->support_count && uvw[2] > SUPPORTS_ONE; n++)
+        if (scene->supports[n].fix >> unknown % 3 & 1 && holds(scene, n, t) &&
+            supports_covers(&scene->supports[n], uvw))
+            return n;
+    return -1;
+}
+
+/* Finds the place of an unknown's node, at x, in what its support moves. */
+static void take(struct supports *s, const struct scene *scene, int unknown, double t,
+                 const double *x)
+{
+    struct scene_placement place;
+
+    scene_motion_at(&scene->supports[s->whose[unknown]].motion, t, &place);
+    if (s->uvw[unknown / 3][2] == SUPPORTS_DIFFERENCE)
+        memset(place.shift, 0, sizeof place.shift);
+    scene_placement_back(&place, x + 3 * (unknown / 3), s->grip[unknown]);
+}
+
+bool supports_change(struct supports *s, const struct scene *scene, double t,
+                     const double *x)
+{
+    bool changed = false, other = false;
+
+    for (int n = 0; s->whose && n < scene->support_count; n++)
+        changed |= holds(scene, n, t) != holds(scene, n, s->checked);
+    s->checked = t;
+    for (int u = 0; changed && u < 3 * s->nodes; u++) {
+        const int now = holder(s, scene, u, t);
+        if (now == s->whose[u])
+            continue;
+        other = true;
+        s->whose[u] = now;
+        if (now >= 0)
+            take(s, scene, u, t, x);
+    }
+    if (!other)
+        return false;
+    list(s, scene, s->whose, (const double(*)[3])s->uvw, NULL);
+    if (s->frame_count)
+        free_ways(s);
+    for (int u = 0; u < 3 * s->nodes; u++)
+        s->carrier[u] = s->free_index[u] < 0 ? -1 : s->carrier[u];
+    return true;
 }
 
 static const struct supports_frame *frame_of(const struct supports *s, int node)
@@ -460,6 +555,12 @@ void supports_shift(const struct supports *s, const struct scene *scene, double 
             continue;
         }
         shift[n] = difference ? 0 : place.shift[i];
+        if (s->whose) {
+            const double *X = s->grip[s->held[n]];
+            shift[n] += (motion->turn_count ? vector_dot(place.turn[i], X) : X[i]) -
+                        s->home[s->held[n]];
+            continue;
+        }
         if (motion->turn_count)
             shift[n] += vector_dot(place.turn[i], s->rest[n]) - s->rest[n][i];
     }

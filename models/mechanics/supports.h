@@ -51,6 +51,13 @@ struct supports {
                           of a free one, -1: none; all -1 unless set after init           */
     bool moving;       /* any of them moves                                              */
     double (*rest)[3]; /* [held_count] the node's rest [m] if any turns, else NULL     */
+    /* Of a scene with grippers, else NULL, [nodes] or [3 nodes]: parameters of the nodes;
+     * the support that holds an unknown, -1: none; its coordinate at rest; and the place
+     * that its support's motion moves, which was taken hold of [m]. */
+    double (*uvw)[3];
+    int *whose;
+    double *home, (*grip)[3];
+    double checked; /* the time of the last supports_change                       [s]  */
     struct supports_frame *frame; /* [frame_count]                             owned   */
     int *framed; /* [nodes] the node's frame, -1: none; NULL if frame_count == 0  owned  */
 };
@@ -63,6 +70,16 @@ struct supports {
 enum status supports_init(struct supports *s, const struct scene *scene, int nodes,
                           double (*uvw)[3], const double *rest, struct message *why);
 void supports_clear(struct supports *s);
+
+/* Returns how many components may ever be held: arrays of [held_count] need room for them.
+ */
+int supports_most(const struct supports *s);
+
+/* Lets grippers take hold and let go at time t, the start of a step, of nodes at
+ * x[nodes][3]. Returns whether other unknowns are held than before; those that were free
+ * have the velocity of their support then. */
+bool supports_change(struct supports *s, const struct scene *scene, double t,
+                     const double *x);
 
 /* Returns whether a support's region has a node of these parameters. */
 bool supports_covers(const struct scene_support *s, const double uvw[3]);
@@ -102,7 +119,7 @@ void supports_turn_block(const struct supports *s, int a, int b, double block[9]
 /* Refuses, with STATUS_INPUT or STATUS_UNSUPPORTED and a sentence, where a scene has no
  * static equilibrium that the model can find: nothing is held and there are no obstacles;
  * or there are, or the sheet meets itself, and it cannot rest on `obstacles`; or supports
- * move besides them. */
+ * move besides them, or take hold or let go. */
 enum status supports_allow_rest(const struct supports *s, const struct scene *scene,
                                 bool obstacles, struct message *why);
 

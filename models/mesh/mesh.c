@@ -51,14 +51,15 @@ static void set_nodes(struct mesh *mesh, const struct scene *scene)
 }
 
 /* Marks nodes of columns that are held whole, and in all components, by one support or by
- * several. */
+ * several, no grippers. */
 void mesh_clamp(struct mesh *mesh, const struct scene *scene)
 {
     for (int a = 0; a < mesh->vertices; a++) {
         int fixed = 0;
         for (const struct scene_support *s = scene->supports;
              s < scene->supports + scene->support_count; s++)
-            if (s->lo[2] <= 0 && s->hi[2] >= 1 && supports_covers(s, mesh->uvw[a]))
+            if (s->lo[2] <= 0 && s->hi[2] >= 1 && !scene_grips(s) &&
+                supports_covers(s, mesh->uvw[a]))
                 fixed |= s->fix;
         mesh->clamped[a] = fixed == FIX_XYZ;
     }

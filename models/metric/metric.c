@@ -195,9 +195,10 @@ double metric_drop(const struct scene *scene, const double *xyz)
 
     down(scene, direction);
     for (int s = 0; s < scene->support_count; s++)
-        top = fmax(top, metric_rest_highest(scene, scene->supports[s].lo,
-                                            scene->supports[s].hi, direction));
-    if (scene->support_count == 0)
+        if (!scene_grips(&scene->supports[s]))
+            top = fmax(top, metric_rest_highest(scene, scene->supports[s].lo,
+                                                scene->supports[s].hi, direction));
+    if (isinf(top))
         top = metric_rest_highest(scene, zero, one, direction);
     for (int j = 0; j < GRID_V; j++)
         for (int i = 0; i < GRID_U; i++) {
@@ -355,13 +356,23 @@ double metric_penetration(const struct scene *scene, double t, const double *xyz
     return isnan(gap) ? NAN : fmax(0, -gap);
 }
 
+/* Returns the components in which supports hold the sheet from start to end; bits. */
+static unsigned held_throughout(const struct scene *scene)
+{
+    unsigned held = 0;
+
+    for (int s = 0; s < scene->support_count; s++)
+        held |= scene_grips(&scene->supports[s]) ? 0 : scene->supports[s].fix;
+    return held;
+}
+
 static bool escaped(const struct scene *scene, double t, int n, const double carried[3],
                     const double xyz[3])
 {
     const double limit = 10 * fmax(scene->length, scene->width);
     double nearest = INFINITY, x[3], still[3];
 
-    if (scene->support_count == 0) {
+    if (!held_throughout(scene)) {
         double uvw[3];
         grid_point(n, uvw);
         for (int c = 0; c < 3; c++)
@@ -370,6 +381,8 @@ static bool escaped(const struct scene *scene, double t, int n, const double car
     }
     for (int s = 0; s < scene->support_count; s++) {
         struct scene_placement place;
+        if (scene_grips(&scene->supports[s]))
+            continue;
         scene_motion_at(&scene->supports[s].motion, t, &place);
         for (int c = 0; c < 3; c++)
             still[c] = xyz[c] - carried[c];
@@ -395,7 +408,7 @@ static void clip_to_flight(const struct scene *scene, double t, double shift[3])
         for (int c = 0; c < 3; c++)
             a[c] += scene->loads[n].force[c] / mass;
     const double pull = vector_length(a),
-                 speed = vector_length(v) + (scene->drag > 0) * vector_length(scene->wind);
+                 speed = vector_length(v) + scene_wind_speed(scene);
     for (int c = 0; c < 3 && pull > 0; c++)
         along += shift[c] * a[c] / pull;
     const double high = pull > 0 ? -along - speed * speed / (2 * pull) : 0;
@@ -409,12 +422,10 @@ static void clip_to_flight(const struct scene *scene, double t, double shift[3])
 void metric_carried(const struct scene *scene, double t, int count, const double *uvw,
                     const double *xyz, double shift[3])
 {
-    unsigned held = 0;
+    const unsigned held = held_throughout(scene);
     int there = 0;
 
     memset(shift, 0, 3 * sizeof *shift);
-    for (int s = 0; s < scene->support_count; s++)
-        held |= scene->supports[s].fix;
     if (held == FIX_XYZ)
         return;
     for (int n = 0; n < count; n++) {

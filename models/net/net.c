@@ -6,6 +6,7 @@
 #include "models/contact/contact_rest.h"
 #include "models/damping.h"
 #include "models/mechanics/reaction.h"
+#include "models/mesh/mesh_air.h"
 #include "models/net/spring_law.h"
 #include "models/room.h"
 
@@ -70,6 +71,7 @@ void net_clear(struct net *net)
     net_contact_free(net->contact);
     supports_clear(&net->supports);
     mesh_clear(&net->mesh);
+    air_clear(&net->air);
     free(net->room);
     free(net->dead);
     free(net->order);
@@ -87,7 +89,7 @@ enum status net_init(struct net *net, const struct scene *scene,
                      const struct discretization *d, struct message *why)
 {
     enum status st;
-    const bool scenes = d->parameters != PARAMETERS_PAPER;
+    const bool scenes = d->parameters != PARAMETERS_PAPER, airy = scene->air.density > 0;
     const struct mesh *mesh = &net->mesh;
 
     *net = (struct net){.scene = scene,
@@ -97,8 +99,10 @@ enum status net_init(struct net *net, const struct scene *scene,
     TRY(supports_init(&net->supports, scene, mesh->nodes, mesh->uvw, mesh->rest, why));
     TRY(room_cut(&net->room, ROOM(net->mass, mesh->nodes), ROOM(net->drag, mesh->nodes),
                  ROOM(net->load, 3 * mesh->nodes), ROOM(net->x, 3 * mesh->nodes),
-                 ROOM(net->v, 3 * mesh->nodes),
-                 ROOM(net->shift, net->supports.held_count)));
+                 ROOM(net->v, 3 * mesh->nodes), ROOM(net->calm, airy * 3 * mesh->nodes),
+                 ROOM(net->blow, airy * 3 * mesh->nodes),
+                 ROOM(net->hold, airy * mesh->nodes),
+                 ROOM(net->shift, supports_most(&net->supports))));
     TRY(mesh_loads(mesh, scene, &net->dead));
     set_points(net, d->parameters, scenes ? damping_mass(scene) : 0);
     memcpy(net->x, mesh->rest, 3 * (size_t)mesh->nodes * sizeof *net->x);
@@ -111,6 +115,32 @@ out:
 enum status net_meet(struct net *net)
 {
     return net_contact_make(net->scene, &net->mesh, &net->supports, &net->contact);
+}
+
+enum status net_make_air(struct net *net)
+{
+    if (net->calm)
+        memcpy(net->calm, net->load, 3 * (size_t)net->mesh.nodes * sizeof *net->calm);
+    return net->calm ? mesh_air(&net->mesh, net->scene, &net->air) : STATUS_OK;
+}
+
+void net_blow(struct net *net, double t, double dt, const double *x, const double *v)
+{
+    if (!net->calm)
+        return;
+    air_blow(&net->air, net->scene, t + dt);
+    air_ahead(&net->air, &(struct air_step){.nodes = net->mesh.nodes,
+                                            .dt = dt,
+                                            .mass = net->mass,
+                                            .drag = net->drag,
+                                            .load = net->calm,
+                                            .x = x,
+                                            .v = v,
+                                            .from = v,
+                                            .force = net->blow,
+                                            .hold = net->hold});
+    for (int k = 0; k < 3 * net->mesh.nodes; k++)
+        net->load[k] = net->calm[k] + net->blow[k];
 }
 
 void net_hold(struct net *net, double t)
@@ -168,6 +198,7 @@ enum status net_march(struct net *net, struct march *m, const struct discretizat
     m->enough = m->euler ? d->iterations : 0;
     m->substeps = march_explicit(d) ? 1 : d->substeps; /* divides by itself */
     TRY(march_init(m, d, why));
+    TRY(mesh_air(mesh, net->scene, &m->air));
     if (!net->mesh.flat.start)
         m->body.energy(m->body.self, net->x, &net->rest_energy);
 out:

@@ -5,6 +5,7 @@
 #ifndef NET_H
 #define NET_H
 
+#include "models/mechanics/air.h"
 #include "models/mechanics/arrival.h"
 #include "models/mechanics/march.h"
 #include "models/mesh/mesh.h"
@@ -17,15 +18,18 @@ struct net {
     struct supports supports;
     struct net_contact *contact; /* NULL before net_meet, or where the scene has none  */
     void *room;
-    double *mass;  /* [nodes]                                                [kg]     */
-    double *drag;  /* [nodes] force against velocity, mass damping in it     [N s/m]  */
-    double *load;  /* [nodes][3] gravity, wind and loads                     [N]      */
-    int *order;    /* of a mesh's nodes, for a march's factors, or NULL       owned   */
-    double *dead;  /* [nodes][3] of which the scene's loads, or NULL  [N]     owned   */
-    double *x, *v; /* [nodes][3] of now                                      [m, m/s] */
-    double *shift; /* [held_count] work                                      [m]      */
-    double beta;   /* stiffness damping                                      [s]      */
-    double keep;   /* factor on velocities after each frame                  [1]      */
+    double *mass;   /* [nodes]                                                [kg]     */
+    double *drag;   /* [nodes] force against velocity, mass damping in it     [N s/m]  */
+    double *load;   /* [nodes][3] gravity, wind and loads                     [N]      */
+    int *order;     /* of a mesh's nodes, for a march's factors, or NULL       owned   */
+    double *dead;   /* [nodes][3] of which the scene's loads, or NULL  [N]     owned   */
+    double *x, *v;  /* [nodes][3] of now                                      [m, m/s] */
+    double *shift;  /* [held_count] work                                      [m]      */
+    struct air air; /* of sweeps; density 0: none                                */
+    double *calm, *blow; /* [nodes][3] load without air; that of air       [N]      */
+    double (*hold)[9];   /* [nodes] work of air_ahead                               */
+    double beta; /* stiffness damping                                      [s]      */
+    double keep; /* factor on velocities after each frame                  [1]      */
     double rest_energy; /* round-off of a march's elastic energy at rest     [J]      */
 };
 
@@ -34,7 +38,8 @@ struct net {
     (SCENE_NEED_CONTACT | SCENE_NEED_SELF_CONTACT | SCENE_NEED_MOVING_OBSTACLES |          \
      SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_PATCH_SUPPORTS |           \
      SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_INITIAL_MOTION |         \
-     SCENE_NEED_SHEETS | SCENE_NEED_FABRIC | SCENE_NEED_OUTLINE)
+     SCENE_NEED_SHEETS | SCENE_NEED_FABRIC | SCENE_NEED_OUTLINE | SCENE_NEED_AIR |         \
+     SCENE_NEED_GRIPPERS)
 
 /* A refusal names what a net cannot do with the scene and choices at hand. */
 struct net_refusal {
@@ -62,6 +67,11 @@ void net_clear(struct net *net);
 
 /* Makes the contact, if the scene has any. */
 enum status net_meet(struct net *net);
+
+/* Makes the air of a net that is swept; then nothing, or puts the force of a step of dt
+ * from time t, shape x and velocities v into net->load (air_ahead). */
+enum status net_make_air(struct net *net);
+void net_blow(struct net *net, double t, double dt, const double *x, const double *v);
 
 /* Moves held points of net->x to where they are at time t. */
 void net_hold(struct net *net, double t);

@@ -265,6 +265,11 @@ static void hold(struct spring_leapfrog *l, double t)
     l->shift = l->next, l->next = was;
 }
 
+bool spring_leapfrog_lacks(const struct scene *scene)
+{
+    return scene_needs(scene) & (SCENE_NEED_AIR | SCENE_NEED_GRIPPERS);
+}
+
 void spring_leapfrog_place(struct spring_leapfrog *l, double t)
 {
     l->frame = lround(t / l->scene->step);

@@ -45,6 +45,10 @@ struct spring_leapfrog {
 /* Starts from the net's x and v at time 0. */
 extern const struct march_integrator spring_leapfrog_integrator;
 
+/* Tells whether a scene has what the sweeps do not know: air, and supports that take hold
+ * or let go. The march's explicit steps then take their place. */
+bool spring_leapfrog_lacks(const struct scene *scene);
+
 /* Notes that the net is at rest at its x at time t [s], a whole number of frames. */
 void spring_leapfrog_place(struct spring_leapfrog *l, double t);
 

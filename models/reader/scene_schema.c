@@ -550,6 +550,31 @@ static bool agrees_at_rows(const struct scene_motion *a, const struct scene_moti
     return agree;
 }
 
+/* Refuses grippers that never hold; an end given as a setting may come before they do. */
+static enum status check_grippers(const struct yaml_tree *root, const struct scene *scene,
+                                  struct message *why)
+{
+    const struct yaml_tree *node = yaml_tree_first(root, "supports"),
+                           *end = yaml_tree_find(yaml_tree_find(root, "time"), "end");
+
+    for (int n = 0; node; n++, node = node->next) {
+        const struct scene_support *s = &scene->supports[n];
+        const struct yaml_tree *from = yaml_tree_find(node, "from");
+        if (s->until > 0 && s->until <= s->from)
+            return yaml_tree_refuse(yaml_tree_find(node, "until"), why,
+                                    "supports[%d] lets go at %g s, but takes hold at %g s: "
+                                    "until must be later",
+                                    n, s->until, s->from);
+        if (s->from >= scene->end && !(is_setting(end) && !is_setting(from)))
+            return yaml_tree_refuse(
+                from, why,
+                "supports[%d] takes hold at %g s, but the scene ends at "
+                "%g s: it never does",
+                n, s->from, scene->end);
+    }
+    return STATUS_OK;
+}
+
 /* Compares all pairs, O(supports^2 rows log rows): piecewise linear motions are equal if
  * they are so at all rows. */
 static enum status check_supports(const struct yaml_tree *root, const struct scene *scene,
@@ -562,7 +587,7 @@ static enum status check_supports(const struct yaml_tree *root, const struct sce
             const struct scene_support *a = &scene->supports[i], *b = &scene->supports[j];
             const unsigned fix = a->fix & b->fix;
 
-            if (fix && overlap(a, b) &&
+            if (fix && overlap(a, b) && !scene_grips(a) && !scene_grips(b) &&
                 !(agrees_at_rows(&a->motion, &b->motion, fix) &&
                   agrees_at_rows(&b->motion, &a->motion, fix)))
                 return yaml_tree_refuse(
@@ -689,6 +714,7 @@ static enum status scene_check(const struct yaml_tree *root, bool files,
     TRY(check_ripple(root, scene, why));
     TRY(check_snapshots(root, scene, why));
     TRY(check_supports(root, scene, why));
+    TRY(check_grippers(root, scene, why));
     TRY(check_loads(root, scene, why));
     TRY(check_contact(root, scene, why));
     TRY(check_obstacles(root, files, scene, why));
@@ -824,6 +850,26 @@ out:
     return st;
 }
 
+/* Reads a wind: one velocity for ever, or a table. */
+static enum status read_wind(const struct schema_key *key, const struct yaml_tree *node,
+                             void *target, struct message *why)
+{
+    enum status st = STATUS_OK;
+    struct scene_air *air = &((struct scene *)target)->air;
+    const struct yaml_tree *number = node->first;
+
+    if (node->kind != YAML_TREE_LIST || node->count != 3 ||
+        number->kind != YAML_TREE_SCALAR)
+        return read_table(key, node, target, why);
+    if (!(air->wind = calloc(1, sizeof *air->wind)))
+        return STATUS_MEMORY;
+    air->wind_count = 1;
+    for (int i = 1; i < 4; i++, number = number->next)
+        TRY(schema_number(key, number, &air->wind[0][i], why));
+out:
+    return st;
+}
+
 /* Makes the axis of a turn one of length 1. */
 static enum status check_turn(const struct schema_key *key, const struct yaml_tree *node,
                               void *target, struct message *why)
@@ -879,6 +925,10 @@ static const struct schema_key SUPPORT[] = {
     {"at", "where", SCHEMA_SECTION, .required = true, .keys = AT, .read = check_at},
     {"fix", "components that are held", SCHEMA_SPECIAL, .required = true, .read = read_fix,
      .want = "some of the letters x, y, z, each once, as in xyz"},
+    {"from", "takes hold of what is free, where that then is; 0 [s]", SCHEMA_NUMBER, .low = 0,
+     .high = 1e6, IN(scene_support, from)},
+    {"until", "lets go; never [s]", SCHEMA_NUMBER, .low = 1e-9, .high = 1e6,
+     IN(scene_support, until)},
     MOTION_OF(scene_support),
     {NULL}};
 
@@ -1140,6 +1190,18 @@ static const struct schema_key DRAG[] = {
     {"wind", "velocity of the air [m/s]", SCHEMA_VECTOR, PLACE, IN(scene, wind)},
     {NULL}};
 
+static const struct schema_key AIR[] = {
+    {"density", "density of the air [kg/m^3]", SCHEMA_NUMBER, .required = true, NOT_NEGATIVE,
+     IN(scene, air.density)},
+    {"drag", "coefficients of the drag along the normal and along the sheet", SCHEMA_VECTOR,
+     .required = true, NOT_NEGATIVE, .most = 2, IN(scene, air.drag),
+     .want = "two numbers [normal, tangential]"},
+    {"wind", "velocity of the air, or rows [t, x, y, z] of it; 0 [s, m/s]", SCHEMA_SPECIAL,
+     PLACE, .most = 4, IN(scene, air.wind), .count_offset = offsetof(struct scene, air.wind_count),
+     .read = read_wind,
+     .want = "[x, y, z] or 1 to 1000 rows [t, x, y, z] of numbers within -1e+06 and 1e+06"},
+    {NULL}};
+
 static const struct schema_key DAMPING[] = {
     {"kind", "law of damping", SCHEMA_WORD, .required = true, .words = damping_words,
      IN(scene, damping.kind)},
@@ -1198,6 +1260,8 @@ static const struct schema_key SCENE[] = {
     {"pressure", "on the outside of a closed cloak, against its normal as it turns [Pa]",
      SCHEMA_NUMBER, .low = -1e15, .high = 1e15, IN(scene, pressure)},
     {"drag", "body drag", SCHEMA_SECTION, .keys = DRAG},
+    {"air", "air that resists by area, direction and speed squared", SCHEMA_SECTION,
+     .keys = AIR},
     {"damping", "damping", SCHEMA_SECTION, .keys = DAMPING},
     {"motion", "at the start, where nothing holds", SCHEMA_SECTION, .keys = MOTION},
     {"supports", "what is held", SCHEMA_SPECIAL, .keys = SUPPORT,

@@ -7,8 +7,10 @@
 #include <string.h>
 
 #include "models/grid.h"
+#include "models/linalg/gauss.h"
 #include "models/mechanics/frames.h"
 #include "models/mechanics/lumped_mass.h"
+#include "models/room.h"
 #include "models/solid/solid_hinge.h"
 
 enum status solid_model_refuse_fabric(const struct scene *scene, struct message *why)
@@ -86,8 +88,10 @@ static void frames(const void *sheet, double (*Q)[9])
 }
 
 /* Sets up an iterated system; its solutions are increments of d, or steps of Newton. */
-static enum status follow(struct solid_sheet *s, const struct discretization *d)
+static enum status follow(struct march *m)
 {
+    struct solid_sheet *s = (struct solid_sheet *)m;
+    const struct discretization *d = &m->asked;
     /* Conjugate gradients measure energy; in the norm of GMRES stiff motion hides the soft
      * one. */
     static const double CG_TOLERANCE = 1e-6, GMRES_TOLERANCE = 1e-8, STEP_TOLERANCE = 1e-3;
@@ -167,11 +171,12 @@ enum status solid_model_init(struct solid_sheet *s, const struct scene *scene,
         .unknowns = space->thickness_basis ? "thickness" : "control points",
         .singular = ", or it is too thin for control points as unknowns "
                     "(discretization.unknowns=thickness is made for that)",
+        .follow = follow,
         .rebuild = rebuild,
         .relief = d->viscosity == VISCOSITY_MEMBRANE,
     };
     TRY(march_init(&s->march, d, why));
-    TRY(follow(s, d));
+    TRY(follow(&s->march));
 out:
     return st;
 }
@@ -208,6 +213,88 @@ enum status solid_model_meet(struct solid_sheet *s, const struct solid_face *fac
     outside->layers = s->points[2];
     outside->first_only = s->space.thickness_basis;
     return STATUS_OK;
+}
+
+/* The rows of a mid-surface about an element. */
+struct air_rows {
+    contact_row *row;
+    const struct solid_face *face;
+    int width, used;
+    int *node;     /* [width] of the element, found so far                              */
+    int *found;    /* [width] of a row                                                  */
+    double *value; /* [width] of it                                                     */
+};
+
+/* Adds `factor` times the functions at u, v to N[width] of the element. */
+static void add_row(struct air_rows *r, double u, double v, double factor, double *N)
+{
+    const int count = r->row(r->face, u, v, r->found, r->value);
+
+    for (int k = 0; k < count; k++) {
+        int a = 0;
+        while (a < r->used && r->node[a] != r->found[k])
+            a++;
+        if (a == r->used)
+            r->node[r->used++] = r->found[k];
+        N[a] += factor * r->value[k];
+    }
+}
+
+/* Fills in the functions N[3][width] at a place between from and to. */
+static void fill_place(struct air_rows *r, const double at[2], const double size[2],
+                       double weight, double *N)
+{
+    static const double step[4] = {-2, -1, 1, 2}, part[4] = {1, -8, 8, -1};
+    const double HUNDREDTH = 0.01; /* two of it lead from no Gauss point to the rim */
+
+    add_row(r, at[0], at[1], weight * size[0] * size[1], N);
+    for (int d = 0; d < 2; d++)
+        for (int k = 0; k < 4; k++) {
+            const double h = HUNDREDTH * size[d];
+            add_row(r, at[0] + (d ? 0 : step[k] * h), at[1] + (d ? step[k] * h : 0),
+                    part[k] / (12 * h), N + (1 + d) * r->width);
+        }
+}
+
+enum status solid_model_air(struct solid_sheet *s, const void *body, contact_row *row,
+                            int width, const int breaks[2], const double *const lines[2],
+                            const int degree[2])
+{
+    enum status st = STATUS_OK;
+    const struct scene *scene = s->march.scene;
+    const struct solid_face face = {body, 0.5};
+    struct air *air = &s->march.air;
+    struct air_rows r = {row, &face, width, 0, NULL, NULL, NULL};
+    const int n[2] = {degree[0] + 1, degree[1] + 1}, cells = breaks[1] - 1,
+              count = scene_sheets(scene) * (breaks[0] - 1) * cells;
+    double x[2][GAUSS_MAX], w[2][GAUSS_MAX];
+    void *room = NULL;
+
+    if (scene->air.density == 0)
+        return st;
+    TRY(air_init(air, scene, count, n[0] * n[1], width));
+    TRY(room_cut(&room, ROOM(r.found, width), ROOM(r.value, width)));
+    gauss_rule(n[0], x[0], w[0]);
+    gauss_rule(n[1], x[1], w[1]);
+    for (int e = 0; e < count; e++) {
+        const int sheet = e / ((breaks[0] - 1) * cells), i = e / cells % (breaks[0] - 1);
+        const double *v = lines[1] + e % cells,
+                     from = scene_sheet_u(scene, sheet, lines[0][i]),
+                     size[2] = {scene_sheet_u(scene, sheet, lines[0][i + 1]) - from,
+                                v[1] - v[0]};
+        r.node = air->node + e * width, r.used = 0;
+        for (int q = 0; q < n[0] * n[1]; q++)
+            fill_place(&r,
+                       (double[]){from + x[0][q / n[1]] * size[0],
+                                  v[0] + x[1][q % n[1]] * size[1]},
+                       size, w[0][q / n[1]] * w[1][q % n[1]],
+                       air->shape + 3 * (size_t)width * (size_t)(e * n[0] * n[1] + q));
+        while (r.used < width) /* functions that are nowhere */
+            r.node[r.used] = r.node[0], r.used++;
+    }
+out:
+    free(room);
+    return st;
 }
 
 enum status solid_model_misfit(struct solid_sheet *s,

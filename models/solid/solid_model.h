@@ -37,7 +37,7 @@ struct solid_sheet {
      SCENE_NEED_LOADS | SCENE_NEED_MOVING_SUPPORTS | SCENE_NEED_TURNING_CLAMPS |           \
      SCENE_NEED_PATCH_SUPPORTS | SCENE_NEED_COMPONENT_SUPPORTS |                           \
      SCENE_NEED_THICKNESS_SUPPORTS | SCENE_NEED_DRAG | SCENE_NEED_CURVED_REST |            \
-     SCENE_NEED_INITIAL_MOTION | SCENE_NEED_SHEETS)
+     SCENE_NEED_INITIAL_MOTION | SCENE_NEED_SHEETS | SCENE_NEED_AIR | SCENE_NEED_GRIPPERS)
 
 /* Refuses a fabric where no layer holds membrane and bending apart (solid_layer.h), with
  * what a solid of one law as thick would have of the fabric's bending. */
@@ -76,6 +76,14 @@ const struct solid_face *solid_model_face(struct solid_sheet *s, const void *bod
                                           int face);
 enum status solid_model_meet(struct solid_sheet *s, const struct solid_face *face,
                              struct contact_surface *surface);
+
+/* Makes the air against the mid-surface of `row` and `body`, after solid_model_init, which
+ * has at most `width` nodes; its elements lie between the lines[breaks] of a sheet along s
+ * and v, with polynomials of the degree along u and v. Slopes are differences that are
+ * exact up to degree 4, beyond of fourth order in a hundredth of an element. */
+enum status solid_model_air(struct solid_sheet *s, const void *body, contact_row *row,
+                            int width, const int breaks[2], const double *const lines[2],
+                            const int degree[2]);
 
 /* Measures how far a curved rest shape (`probe` of the state) lies from the scene's, at
  * most over the grid; 0 for flat ones, unmeasured. */

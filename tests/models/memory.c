@@ -129,6 +129,10 @@ static void try_models(const char *only)
         try_contestant(c, "swing", false, "time.step=0.005");
         try_contestant(c, "contact", false,
                        "obstacles=[{plane: {point: [0,0,-0.0006], normal: [0,0,1]}}]");
+        try_contestant(c, "gripper", false,
+                       "supports=[{at: {u: 1}, fix: xyz, from: 0.005, path: [[0, 0, 0, 0], "
+                       "[1, 0, 0, 1]]}]");
+        try_contestant(c, "air", false, "air={density: 1.2, drag: [2, 0.1]}");
         try_contestant(c, "outline", false,
                        "sheet={outline: [[0, 0], [1, 0], [0.7, 0.6], [0, 0.5]], holes: "
                        "[[[0.2, 0.2], [0.3, 0.2], [0.3, 0.3]]], thickness: 0.001}");
@@ -157,6 +161,13 @@ static enum status read_mesh(const void *what, struct message *why)
                       why);
 }
 
+/* Reads a wind that changes. */
+static enum status read_wind(const void *what, struct message *why)
+{
+    (void)what;
+    return read_scene("air={density: 1, drag: [1, 0], wind: [[0,0,0,0], [1,2,0,0]]}", why);
+}
+
 /* Reads one with every part of an obstacle that has memory of its own. */
 static enum status read_bodies(const void *what, struct message *why)
 {
@@ -172,6 +183,7 @@ static enum status read_bodies(const void *what, struct message *why)
 int main(int argc, char **argv)
 {
     try_all(&(struct deed){"a scene with bodies", read_bodies, NULL, .every = true});
+    try_all(&(struct deed){"a scene with wind", read_wind, NULL, .every = true});
     try_all(&(struct deed){"a scene that is a mesh", read_mesh, NULL, .every = true});
     for (int n = 1; n < argc || n == 1; n++)
         try_models(argv[n]);            /* NULL behind the last: all */

@@ -126,6 +126,9 @@ static void add_support(struct scene *scene, unsigned need, double w)
     case SCENE_NEED_MOVING_SUPPORTS:
         s.motion.path = path, s.motion.path_count = 2;
         break;
+    case SCENE_NEED_GRIPPERS:
+        s.from = scene->step, s.until = 1.5 * scene->step;
+        break;
     case SCENE_NEED_TURNING_CLAMPS:
         s.motion.turn = turn, s.motion.turn_count = 2, s.motion.axis[1] = 1;
         break;
@@ -170,6 +173,9 @@ static void add_need(struct scene *scene, unsigned need, double w)
         return;
     case SCENE_NEED_DRAG:
         scene->drag = 1;
+        return;
+    case SCENE_NEED_AIR:
+        scene->air = (struct scene_air){.density = 1.2, .drag = {2, 0.1}};
         return;
     case SCENE_NEED_INITIAL_MOTION:
         scene->spin[1] = 1;

@@ -14,6 +14,7 @@ enum { MOST = 4 };
 #define IMPLICIT  "discretization.integrator=implicit"
 #define MOMENTUM  "discretization.integrator=momentum"
 #define BDF2      "discretization.integrator=bdf2"
+#define GRIPPER   "supports=[{at: {u: 0}, fix: xyz, until: 0.2}]"
 #define SINGLE    "discretization.precision=single"
 #define THICKNESS "discretization.unknowns=thickness"
 #define BENDING   "discretization.bending="
@@ -23,6 +24,8 @@ enum { MOST = 4 };
 #define PONTE     "material={fabric: ponte_roma, warp: "
 #define TUBE      "pose={kind: cloak, opening: 360, flare: 0}"
 #define PRESSED   "pressure=1"
+#define BREEZE    "air={density: 1.2, drag: [2, 0.1], wind: [1, 0, 1]}"
+#define SINGLE    "discretization.precision=single"
 static const struct row {
     const char *name, *sentence, *settings[MOST]; /* sentence NULL: it is accepted       */
 } rows[] = {
@@ -53,6 +56,20 @@ static const struct row {
      {PONTE "0, softening: [0, -1e-9]}", "discretization.kinematics=linear"}},
     {"shell", "pressure that", {TUBE, PRESSED, "discretization.kinematics=linear"}},
     {"iga", "pressure that follows the normal", {TUBE, PRESSED}},
+    {"shell", "air that resists by", {BREEZE, "discretization.kinematics=linear"}},
+    {"iga", "air that resists by", {BREEZE, "discretization.kinematics=linear"}},
+    {"iga", "air that resists by", {BREEZE, "discretization.kinematics=printed"}},
+    {"hex", "air that resists by", {BREEZE, "discretization.kinematics=incremental"}},
+    {"iga", "take hold or let go: with", {GRIPPER, "discretization.kinematics=printed"}},
+    {"triangles", "precision=double only", {GRIPPER, LEAPFROG, SINGLE}},
+    {"triangles", NULL, {GRIPPER, LEAPFROG}},
+    {"mass_spring", "precision=double and", {GRIPPER, LEAPFROG, SINGLE}},
+    {"triangles", "precision=double only", {BREEZE, LEAPFROG, SINGLE}},
+    {"mass_spring", "precision=double and", {BREEZE, LEAPFROG, SINGLE}},
+    {"mass_spring",
+     "precision=double and",
+     {BREEZE, LEAPFROG, "discretization.parameters=paper"}},
+    {"mass_spring", NULL, {BREEZE, "discretization.parameters=paper"}},
     {"triangles", NULL, {PONTE "30, softening: [0, -1e-9]}"}},
     {"triangles",
      "momentum or implicit only",

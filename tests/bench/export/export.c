@@ -23,42 +23,46 @@ static void export_into(size_t folder, const char *scene, const char *const *set
     command_line_clear(&line);
 }
 
+static const struct {
+    const char *name, *set[4];
+    int count;
+} cases[] = {
+    {"edge_drop", {"damping={kind: none}"}, 1}, /* what the export sets by itself */
+    {"drape", {"damping={kind: none}", "pose.flare=7.123456789", "pressure=0.1"}, 3},
+    {"strip_bias", {"material.softening=[-1e-9, -2.5e-9]"}, 1},
+    {"ground", {"damping={kind: rayleigh, alpha: 0.1, beta: 1.0e-3}"}, 1},
+    {"sphere",
+     {"motion={velocity: [0, 0, -1], spin: [0.1, 0, 3]}",
+      "air={density: 1.2, drag: [2, 0.1], wind: [[0, 1, 2, 3]]}"},
+     2},
+    {"moving_edge", {"material.poisson=0.33333333333333331", "time.step=0.0025"}, 2},
+    {"drag_fall", {"drag={coefficient: 0.1, wind: [1, -2, 0.3]}"}, 1},
+    {"hinge",
+     {"damping={kind: velocity_rate, value: 0.3}",
+      "loads=[{at: {u: 1, v: [0.2, 1]}, force: [0, 0, -0.1]}]"},
+     2},
+    {"stack",
+     {"sheets=[{origin: [0, 0, 0.1]}, {origin: [0, 0, 0], u: [0, 1, 0], v: [-0.6, 0, "
+      "0.8]}]",
+      "supports=[{at: {sheet: 2, u: [0.1, 0.37], v: 1, w: 0.5}, fix: xy}, {at: {v: 0, "
+      "w: 0.5}, fix: z}, {at: {sheet: 1, u: 1, w: 0.5}, fix: y, turn: {axis: [0, 3, "
+      "4], about: [1, 0, 2], angles: [[0, 10], [1, 20]]}}]",
+      "loads=[{at: {sheet: 1, u: 0.3}, force: [0, 0, 0.1]}]"},
+     3},
+    {"sphere",
+     {"obstacles=[{box: {center: [0, 0, -9], size: [1, 2, 3], u: [0, 1, 0], v: [0.6, "
+      "0, 0.8], friction: 0.1}}, {capsule: {from: [0, 0, -9], to: [0, 1, -8], "
+      "radius: 0.5}, path: [[0, 0, 0, 0], [1, 0, 0.125, -1]]}, {mesh: "
+      "{file: " SOURCE_DIR
+      "/tests/bad_scenes/mesh_inside.obj, at: [0, 0.1, -8], scale: 0.3, friction: 2}, "
+      "turn: {axis: [1, 0, 0], about: [1, 2, 3], angles: [[0, 0], [0.1, 33]]}}]",
+      "contact={self: true, thickness: 0.02, range: 0.003, friction: 0.5}"},
+     2},
+};
+
 /* Read again it has the physics that its truth has, to the last bit, and the times. */
 static void scenes_come_back(void)
 {
-    static const struct {
-        const char *name, *set[4];
-        int count;
-    } cases[] = {
-        {"edge_drop", {"damping={kind: none}"}, 1}, /* what the export sets by itself */
-        {"drape", {"damping={kind: none}", "pose.flare=7.123456789", "pressure=0.1"}, 3},
-        {"strip_bias", {"material.softening=[-1e-9, -2.5e-9]"}, 1},
-        {"ground", {"damping={kind: rayleigh, alpha: 0.1, beta: 1.0e-3}"}, 1},
-        {"sphere", {"motion={velocity: [0, 0, -1], spin: [0.1, 0, 3]}"}, 1},
-        {"moving_edge", {"material.poisson=0.33333333333333331", "time.step=0.0025"}, 2},
-        {"drag_fall", {"drag={coefficient: 0.1, wind: [1, -2, 0.3]}"}, 1},
-        {"hinge",
-         {"damping={kind: velocity_rate, value: 0.3}",
-          "loads=[{at: {u: 1, v: [0.2, 1]}, force: [0, 0, -0.1]}]"},
-         2},
-        {"stack",
-         {"sheets=[{origin: [0, 0, 0.1]}, {origin: [0, 0, 0], u: [0, 1, 0], v: [-0.6, 0, "
-          "0.8]}]",
-          "supports=[{at: {sheet: 2, u: [0.1, 0.37], v: 1, w: 0.5}, fix: xy}, {at: {v: 0, "
-          "w: 0.5}, fix: z}, {at: {sheet: 1, u: 1, w: 0.5}, fix: y, turn: {axis: [0, 3, "
-          "4], about: [1, 0, 2], angles: [[0, 10], [1, 20]]}}]",
-          "loads=[{at: {sheet: 1, u: 0.3}, force: [0, 0, 0.1]}]"},
-         3},
-        {"sphere",
-         {"obstacles=[{box: {center: [0, 0, -9], size: [1, 2, 3], u: [0, 1, 0], v: [0.6, "
-          "0, 0.8], friction: 0.1}}, {capsule: {from: [0, 0, -9], to: [0, 1, -8], "
-          "radius: 0.5}, path: [[0, 0, 0, 0], [1, 0, 0.125, -1]]}, {mesh: "
-          "{file: " SOURCE_DIR
-          "/tests/bad_scenes/mesh_inside.obj, at: [0, 0.1, -8], scale: 0.3, friction: 2}, "
-          "turn: {axis: [1, 0, 0], about: [1, 2, 3], angles: [[0, 0], [0.1, 33]]}}]",
-          "contact={self: true, thickness: 0.02, range: 0.003, friction: 0.5}"},
-         2},
-    };
 
     for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
         char path[32], *first = NULL, *text[2];

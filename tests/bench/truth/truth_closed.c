@@ -210,6 +210,8 @@ static void refused(void)
         {"hanging", {"damping={kind: none}"}}, {"hanging", {"damping.value=0.1"}},
         /* not at rest by the end */
         {"hanging", {"drag={coefficient: 1}"}},
+        {"hanging", {"air={density: 1, drag: [1, 0]}"}},
+        {"drag_fall", {"air={density: 1, drag: [1, 0]}"}},
         {"hanging", {"supports=[{at: {u: 0}, fix: xz}]"}},
         {"hanging", {"supports=[{at: {u: 0}, fix: xyz}, {at: {u: 1}, fix: xyz}]"}},
         {"rest_small", {"material.poisson=0.3"}}, {"rest_small", {"damping.value=1"}},

@@ -149,6 +149,7 @@ static void check_frames(void)
 #define SPUN(text)  "obstacles[0].turn={axis: " text "}"
 #define OCTAHEDRON  SOURCE_DIR "/tests/bad_scenes/mesh_inside.obj"
 #define PULL(rest)  "loads=[{at: {" rest "]}]"
+#define AIR(text)   "air={density: " text "}"
 #define PLANE(rest) "obstacles=[{plane: {" rest "}}]"
 static const struct pair {
     const char *scene, *a, *b;
@@ -173,6 +174,14 @@ static const struct pair {
      "drag={coefficient: 1, wind: [0,0,2]}"},
     {"sphere", "drag={coefficient: 0, wind: [0,0,1]}",
      "drag={coefficient: 0, wind: [0,0,2]}", true},
+    {"sphere", NULL, AIR("1, drag: [2, 0]")},
+    {"sphere", AIR("1, drag: [2, 0]"), AIR("2, drag: [2, 0]")},
+    {"sphere", AIR("1, drag: [2, 0]"), AIR("1, drag: [1, 0]")},
+    {"sphere", AIR("1, drag: [2, 0]"), AIR("1, drag: [2, 1]")},
+    {"sphere", AIR("1, drag: [2, 0]"), AIR("1, drag: [2, 0], wind: [0, 0, 1]")},
+    {"sphere", AIR("1, drag: [2, 0], wind: [0, 0, 1]"),
+     AIR("1, drag: [2, 0], wind: [[0, 0, 0, 1], [1, 0, 0, 2]]")},
+    {"sphere", AIR("0, drag: [2, 0]"), AIR("0, drag: [3, 0], wind: [0, 0, 1]"), true},
     {"sphere", NULL, "obstacles[0].sphere.center=[0.5,0.5,-0.36]"},
     {"sphere", NULL, "obstacles[0].sphere.radius=0.31"},
     {"sphere", NULL, "obstacles[0].sphere.friction=0.2"},
@@ -195,6 +204,9 @@ static const struct pair {
     {"edge_drop", HELD("u: 0, w: 0.5"), HELD("u: 0, w: 0")},
     {"edge_drop", NULL, "supports=[{at: {u: 0}, fix: xz}]"},
     {"edge_drop", NULL, "supports=[{at: {u: 0}, fix: xyz}, {at: {u: 1}, fix: xyz}]"},
+    {"edge_drop", HELD("u: 0"), "supports=[{at: {u: 0}, fix: xyz, from: 0.1}]"},
+    {"edge_drop", "supports=[{at: {u: 0}, fix: xyz, from: 0.1}]",
+     "supports=[{at: {u: 0}, fix: xyz, from: 0.1, until: 0.2}]"},
     {"moving_edge", NULL, HELD("u: 0")},
     {"moving_edge", LED("[0,0,0,0],[1,0,0,1]"), LED("[0,0,0,0],[2,0,0,1]")},
     {"moving_edge", LED("[0,0,0,0],[1,0,0,1]"), LED("[0,0,0,0],[1,1,0,1]")},

@@ -138,17 +138,18 @@ struct model {
 
     /* optional: fills support[support_count][6] and body[obstacle_count][6] with the force
      * [N] and its moment about the scene's origin [N m] that each support and each obstacle
-     * exerts on the sheet: mean over the last step, or of the equilibrium. What is not
-     * known is NaN. A step may have them only if it was asked for them: by a call with NULL
-     * for both before it, the only one that it costs anything.
+     * exerts on the sheet: mean over the last step, or of the equilibrium; NaN where it is
+     * not known. A step may have them only if it was asked for them, by a call with NULL
+     * for both before it; one that was not asked for them has no work with it.
      *
-     * A body's force is that of model_contact. Supports': where a scheme sweeps over points
-     * (mass_spring and triangles with integrator=leapfrog on a grid, position_based, vbd,
-     * projective_dynamics), which keeps no momentum of what is held, it is that at the
-     * step's end; with PBD it is NaN. Of kinematics=printed and incremental the force is
-     * that of their own equations, a body's NaN. The couple by which a clamp keeps a net of
+     * A body's force is that of model_contact; under kinematics=printed and incremental it
+     * is NaN, and supports' are those of these schemes' own equations. Schemes that sweep
+     * over points (integrator=leapfrog on a grid, position_based, vbd, projective_dynamics)
+     * keep no momentum of what is held: theirs is what elastic forces, loads and inertia
+     * need at the step's end; with PBD, NaN. The couple by which a clamp keeps a net of
      * points from turning has no points to act on: with more than one support moments of
-     * nets are NaN, those of projective_dynamics always. */
+     * nets are NaN, those of projective_dynamics always. Damping that scales velocities is
+     * no force. */
     enum status (*forces)(void *state, double (*support)[6], double (*body)[6]);
 
     /* optional: fills xyz[nodes][3] with the present control points of a sheet that does

@@ -15,6 +15,7 @@
 #include "models/metric/drape.h"
 #include "models/metric/metric.h"
 #include "models/pattern.h"
+#include "models/vector.h"
 
 static void describe_discretization(const struct scene *scene,
                                     const struct discretization *d, FILE *file)
@@ -242,6 +243,9 @@ void describe_motion(const struct motion *m, FILE *file)
     fprintf(file, "peak memory     %.1f MB\n", 1e-6 * (double)clock_peak_memory());
 }
 
+/* A component of a force below this part of it is 0 to people. */
+static const double ROUND_OFF = 1e-9;
+
 int describe_forces(const struct run *run, double force[DESCRIBE_FORCES][6])
 {
     const int supports = run->scene.support_count,
@@ -250,6 +254,11 @@ int describe_forces(const struct run *run, double force[DESCRIBE_FORCES][6])
     if (!run->model->forces || !count || count > DESCRIBE_FORCES ||
         run->model->forces(run->state, force, force + supports) != STATUS_OK)
         return 0;
+    for (int n = 0; n < 6 * count; n++) { /* what is but round-off beside the whole */
+        const double *f = force[n / 6] + n % 6 / 3 * 3;
+        if (fabs(f[n % 3]) < ROUND_OFF * vector_length(f))
+            force[n / 6][n % 6] = 0;
+    }
     return isnan(force[0][0]) ? 0 : count;
 }
 

@@ -221,10 +221,13 @@ void contact_system_land(struct contact *c, const struct blocks *graph, const do
     for (size_t k = 0; k < count; k++)
         along -= y[k] * v[k], square += y[k] * change[k];
     const double share = square > 0 ? fmax(0, fmin(1, along / square)) : 0;
+    const bool alone = c->scene->obstacle_count == 1 && !c->scene->contact.self;
     for (int o = 0; share > 0 && o < c->scene->obstacle_count; o++) {
-        contact_landing(c, o, x, v, part);
-        supports_zero(held, part);
-        blocks_multiply_mass(graph, M, part, y);
+        if (!alone) {
+            contact_landing(c, o, x, v, part);
+            supports_zero(held, part);
+            blocks_multiply_mass(graph, M, part, y);
+        }
         add_landed(share / c->dt, graph->nodes, y, x, c->landed[o]);
     }
     for (size_t k = 0; k < count; k++)

@@ -107,6 +107,21 @@ static void test_same_bits(void)
     settings_clear(&plan.settings);
 }
 
+/* Reads the last of a vector's rows, whose first, before any step, is not known. */
+static void last_vector(const char *name, double last[3])
+{
+    struct store_read *store = NULL;
+    double *value = NULL;
+    int rows = 0, columns = 0;
+
+    REQUIRE(store_read_open(file, &store, NULL) == STATUS_OK);
+    CHECK(store_read_array(store, name, &value, &rows, &columns, NULL) == STATUS_OK);
+    REQUIRE(rows > 1 && columns == 3);
+    CHECK(isnan(value[0]));
+    memcpy(last, value + 3 * (rows - 1), 3 * sizeof *last);
+    store_read_close(store);
+}
+
 /* A sheet that has come to rest on the ground is carried by it; one that hangs is by
  * nothing, and a scheme without elastic energy has no drift of it. */
 static void test_load(void)
@@ -115,15 +130,39 @@ static void test_load(void)
     struct settings s = LIST("damping={kind: none}", "discretization.points=[6,6]");
     const struct run_keep keep = {.file = file, .every = 1};
     struct run_result r;
+    double f[3];
 
     write_run(&(struct case_plan){SCENES "ground.yaml", named("mass_spring"), s, 0}, &keep,
               &r);
     CHECK_NEAR(r.value[MEASURE_LOAD_END], 1, AT_REST);
+    last_vector("forces/obstacle_0", f);
+    CHECK(isnan(r.value[MEASURE_REACTION_END]) && f[2] > 0);
     CHECK(r.value[MEASURE_LOAD_MAX] > 1.5);           /* it fell */
     CHECK(isnan(r.value[MEASURE_INTERSECTIONS_MAX])); /* not asked for */
     write_run(&(struct case_plan){DROP, named("iga_paper"), {0}, 0.05}, &keep, &r);
     CHECK(isnan(r.value[MEASURE_LOAD_END]) && isnan(r.value[MEASURE_ENERGY_DRIFT_MAX]));
     settings_clear(&s);
+}
+
+/* A look has the forces of supports and obstacles, also where not every frame is one; a run
+ * the size of the first support's; moments are about the scene's origin, on the held edge.
+ */
+static void test_forces(void)
+{
+    static const double ROUND_OFF = 1e-12;
+    struct run_keep keep = {.file = file, .every = 3};
+    struct settings low = LIST("discretization.points=[6,6]");
+    struct run_result r;
+    double f[3], m[3];
+
+    write_run(&(struct case_plan){DROP, named("shell"), low, 0.1}, &keep, &r);
+    last_vector("forces/support_0", f);
+    last_vector("moments/support_0", m);
+    const double size = sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
+    CHECK_RELATIVE(r.value[MEASURE_REACTION_END], size, ROUND_OFF);
+    CHECK(f[2] > 0 && size > 0);
+    CHECK_RELATIVE(m[0], f[2] / 2, ROUND_OFF); /* of a sheet 1 m wide */
+    settings_clear(&low);
 }
 
 /* The last look counts what a coarse search does not see, also in a run that dies. */
@@ -535,6 +574,7 @@ int main(int argc, char **argv)
     }
     test_same_bits();
     test_load();
+    test_forces();
     test_crossing();
     test_last_frame();
     test_times();

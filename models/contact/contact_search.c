@@ -201,13 +201,11 @@ static void sift(const struct contact_search *s, int sample, int triangle,
     v->count += distance < s->start + s->margin;
 }
 
-/* Tells whether a sample is outside the box of a cell by so much. */
-static bool outside(const struct contact_search *s, int sample, int cell, double reach)
+/* Tells whether a sample is outside the box of a cell's corners by so much. */
+static bool outside(const struct contact_search *s, int sample, const int corner[4],
+                    double reach)
 {
     const double *all = s->sheet.y, *y = all + 3 * (long)sample;
-    int corner[4];
-
-    contact_tree_corners(&s->tree, cell, corner);
     const double *p = all + 3 * (long)corner[0], *q = all + 3 * (long)corner[1];
     const double *r = all + 3 * (long)corner[2], *t = all + 3 * (long)corner[3];
     for (int i = 0; i < 3; i++)
@@ -220,13 +218,14 @@ static bool outside(const struct contact_search *s, int sample, int cell, double
 /* Looks at the triangles of a cell for the samples of another. */
 static void look_at(const struct contact_search *s, int samples, int cell, struct sieve *v)
 {
-    int sample[4];
+    int sample[4], end[4];
     const int many = contact_tree_samples(&s->tree, samples, sample);
     const int first = contact_tree_triangle(&s->tree, cell);
     const int triangles = contact_tree_triangles(&s->tree);
 
+    contact_tree_corners(&s->tree, cell, end);
     for (int n = 0; n < many; n++)
-        for (int k = 0; k < triangles && !outside(s, sample[n], cell, s->start + s->margin);
+        for (int k = 0; k < triangles && !outside(s, sample[n], end, s->start + s->margin);
              k++) {
             int corner[3];
             contact_foot_corners(s->sheet.surface, first + k, corner);
@@ -444,7 +443,9 @@ static void consider_all(const struct contact_search *s, int sample,
 
     for (int cell = 0; cell < cells; cell++) {
         const int triangle = contact_tree_triangle(&s->tree, cell);
-        if (outside(s, sample, cell, s->start) || contact_surface_cut(f, cell / n[1]))
+        int end[4];
+        contact_tree_corners(&s->tree, cell, end);
+        if (outside(s, sample, end, s->start) || contact_surface_cut(f, cell / n[1]))
             continue;
         for (int k = triangle; k < triangle + contact_tree_triangles(&s->tree); k++)
             if (!has_corner(s, k, sample))

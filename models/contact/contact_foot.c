@@ -240,30 +240,12 @@ static void normals_between(const double *restrict y, long m, long from, long to
     }
 }
 
-/* Computes the mean normal of the triangles around a sample by their areas, as long as they
- * are stretched: of length 1 on a sheet at rest, at the border, too. */
-static void mean_normal(const struct contact_sheet *sheet, int sample, double normal[3])
-{
-    const struct contact_surface *s = sheet->surface;
-    const double per_area = 1 / (6 * s->area[sample]);
-    struct three sum = {0, 0, 0};
-
-    for (int n = s->mesh.ring_at[sample]; n < s->mesh.ring_at[sample + 1]; n++) {
-        const int *corner = s->mesh.corner[s->mesh.ring[n]];
-        const struct three p = of(sheet->y + 3 * (long)corner[0]);
-        const struct three a = less(of(sheet->y + 3 * (long)corner[1]), p);
-        const struct three b = less(of(sheet->y + 3 * (long)corner[2]), p);
-        sum = plus(sum, per_area, cross(a, b));
-    }
-    normal[0] = sum.x, normal[1] = sum.y, normal[2] = sum.z;
-}
-
 void contact_foot_normal(const struct contact_sheet *sheet, int sample, double normal[3])
 {
     const int m = sheet->surface->points[1];
 
     if (sheet->surface->mesh.count) {
-        mean_normal(sheet, sample, normal);
+        mesh_cells_normal(&sheet->surface->mesh, sheet->y, sample, normal);
         return;
     }
     normal_at(sheet, sample, sample / m % sheet->surface->rows, sample % m, normal);
@@ -278,7 +260,7 @@ void contact_foot_normals(const struct contact_sheet *sheet, int i, const bool *
 
     if (s->mesh.count) {
         if (wanted[i])
-            mean_normal(sheet, i, normal + 3 * (long)i);
+            mesh_cells_normal(&s->mesh, sheet->y, i, normal + 3 * (long)i);
         return;
     }
     for (int j = 0, end; j < m; j = end) {
@@ -353,10 +335,8 @@ int contact_foot_width(const struct contact_surface *s)
  * border. */
 static int neighbour(const struct contact_surface *s, int triangle, int corner)
 {
-    if (s->mesh.count) {
-        const struct mesh_edge *e = &s->mesh.edge[s->mesh.side[triangle][corner]];
-        return e->triangle[e->triangle[0] == triangle];
-    }
+    if (s->mesh.count)
+        return mesh_cells_across(&s->mesh, triangle, corner);
     static const int step[2][3][3] = {{{1, 0, 1}, {0, 0, 1}, {0, -1, 1}},
                                       {{0, 1, 0}, {-1, 0, 0}, {0, 0, 0}}};
     const int *by = step[triangle % 2][corner], m = s->points[1];
@@ -416,23 +396,6 @@ static int meet_edge(const struct open_face *face, int corner, double share[3])
     return wanted < -within ? a : wanted > 1 + within ? b : -1;
 }
 
-/* Returns the triangle with the next edge of a mesh's border beyond a sample, from that
- * with the one before, of which `last` is the other end: goes round the sample. */
-static int round_sample(const struct contact_triangles *mesh, int triangle, int sample,
-                        int last)
-{
-    for (;;) {
-        const int *corner = mesh->corner[triangle];
-        const int k = corner[0] == last ? 0 : corner[1] == last ? 1 : 2;
-        const struct mesh_edge *e = &mesh->edge[mesh->side[triangle][k]];
-        const int next = e->triangle[e->triangle[0] == triangle];
-        if (next < 0)
-            return triangle;
-        last = e->node[e->node[0] == sample];
-        triangle = next;
-    }
-}
-
 /* Returns the triangle with the next edge of a grid's border beyond a corner of one at it,
  * -1 at a corner of the sheet. */
 static int along_border(const struct contact_surface *s, int triangle, int inner,
@@ -465,9 +428,10 @@ static int next_border(const struct contact_surface *s, int triangle, int inner,
     if (!s->mesh.count)
         return along_border(s, triangle, inner, beyond);
     *passed = s->mesh.corner[triangle][beyond];
-    return *passed == before ? -1
-                             : round_sample(&s->mesh, triangle, *passed,
-                                            s->mesh.corner[triangle][3 - inner - beyond]);
+    return *passed == before
+               ? -1
+               : mesh_cells_round(&s->mesh, triangle, *passed,
+                                  s->mesh.corner[triangle][3 - inner - beyond]);
 }
 
 /* Walks from a triangle, where meet ended with `share`, to the one that has

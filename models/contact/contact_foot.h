@@ -81,8 +81,7 @@ static inline void contact_foot_corners(const struct contact_surface *s, int tri
     const int m = s->points[1], first = triangle / 2;
 
     if (s->mesh.count) {
-        for (int k = 0; k < 3; k++)
-            corner[k] = s->mesh.corner[triangle][k];
+        memcpy(corner, s->mesh.corner[triangle], 3 * sizeof *corner);
         return;
     }
     corner[0] = first;

@@ -60,23 +60,12 @@ static void ends_of(const struct contact_surface *s, int edge, int end[2])
     }
 }
 
-/* Lists the edges of a triangle of a mesh that are rims; returns how many. */
-static int edges_at(const struct contact_triangles *mesh, int triangle, int edge[4])
-{
-    int count = 0;
-
-    for (int k = 0; k < 3; k++)
-        if (mesh->edge[mesh->side[triangle][k]].triangle[1] < 0)
-            edge[count++] = mesh->side[triangle][k];
-    return count;
-}
-
 /* Lists the edges of a cell that are rims; returns how many. */
 static int edges_of(const struct contact_tree *tree, int cell, int edge[4])
 {
     const struct contact_surface *s = tree->surface;
     if (s->mesh.count)
-        return edges_at(&s->mesh, contact_tree_triangle(tree, cell), edge);
+        return mesh_cells_rims(&s->mesh, contact_tree_triangle(tree, cell), edge);
     const int n = s->rows, m = s->points[1], row = cell / (m - 1), j = cell % (m - 1);
     const int i = row % n, first = row / n * 2 * (n - 1 + m - 1);
     const bool seam = s->around > 0;

@@ -201,34 +201,16 @@ static void sift(const struct contact_search *s, int sample, int triangle,
     v->count += distance < s->start + s->margin;
 }
 
-/* Tells whether a sample is outside the box of a triangle by so much. */
-static bool outside_triangle(const double *all, int sample, const int corner[3],
-                             double reach)
+/* Tells whether a sample is outside the box of a cell's corners by so much. */
+static bool outside(const struct contact_search *s, int sample, const int corner[4],
+                    double reach)
 {
-    const double *y = all + 3 * (long)sample, *p = all + 3 * (long)corner[0];
-    const double *q = all + 3 * (long)corner[1], *r = all + 3 * (long)corner[2];
-
+    const double *all = s->sheet.y, *y = all + 3 * (long)sample;
+    const double *p = all + 3 * (long)corner[0], *q = all + 3 * (long)corner[1];
+    const double *r = all + 3 * (long)corner[2], *t = all + 3 * (long)corner[3];
     for (int i = 0; i < 3; i++)
-        if (y[i] < smaller(p[i], smaller(q[i], r[i])) - reach ||
-            y[i] > larger(p[i], larger(q[i], r[i])) + reach)
-            return true;
-    return false;
-}
-
-/* Tells whether a sample is outside the box of a cell, from its first triangle on, by so
- * much. */
-static bool outside(const struct contact_search *s, int sample, int triangle, double reach)
-{
-    const struct contact_surface *f = s->sheet.surface;
-
-    if (f->mesh.count)
-        return outside_triangle(s->sheet.y, sample, f->mesh.corner[triangle], reach);
-    const double *y = s->sheet.y + 3 * (long)sample;
-    const double *p = s->sheet.y + 3 * (long)(triangle / 2);
-    const double *q = p + 3 * (long)f->points[1];
-    for (int i = 0; i < 3; i++)
-        if (y[i] < smaller(smaller(p[i], p[i + 3]), smaller(q[i], q[i + 3])) - reach ||
-            y[i] > larger(larger(p[i], p[i + 3]), larger(q[i], q[i + 3])) + reach)
+        if (y[i] < smaller(smaller(p[i], q[i]), smaller(r[i], t[i])) - reach ||
+            y[i] > larger(larger(p[i], q[i]), larger(r[i], t[i])) + reach)
             return true;
     return false;
 }
@@ -236,14 +218,15 @@ static bool outside(const struct contact_search *s, int sample, int triangle, do
 /* Looks at the triangles of a cell for the samples of another. */
 static void look_at(const struct contact_search *s, int samples, int cell, struct sieve *v)
 {
-    int sample[4];
+    int sample[4], end[4];
     const int many = contact_tree_samples(&s->tree, samples, sample);
     const int first = contact_tree_triangle(&s->tree, cell);
     const int triangles = contact_tree_triangles(&s->tree);
 
+    contact_tree_corners(&s->tree, cell, end);
     for (int n = 0; n < many; n++)
-        for (int k = 0;
-             k < triangles && !outside(s, sample[n], first, s->start + s->margin); k++) {
+        for (int k = 0; k < triangles && !outside(s, sample[n], end, s->start + s->margin);
+             k++) {
             int corner[3];
             contact_foot_corners(s->sheet.surface, first + k, corner);
             if (!useless(s, sample[n], corner))
@@ -363,40 +346,6 @@ static void find_normals(struct contact_search *s)
     each_turn(s->sheet.surface->points[0], s->actives >= PARALLEL, find_row, s);
 }
 
-/* Returns by how much a product of differences between samples changes at most, over how
- * far they move against each other, up to the margin. */
-static double turn_of(const struct contact_search *s, const double *const end[4])
-{
-    double u[3], v[3];
-
-    vector_between(end[0], end[1], u);
-    vector_between(end[2], end[3], v);
-    return vector_length(u) + vector_length(v) + s->margin;
-}
-
-/* Returns this of a sample's normal; 0: it isn't known. */
-static double normal_turns(const struct contact_search *s, int sample)
-{
-    const struct contact_surface *f = s->sheet.surface;
-    const struct contact_triangles *mesh = &f->mesh;
-    const int m = f->points[1], i = sample / m % f->rows, j = sample % m;
-    const double *all = s->sheet.y, *y = all + 3 * (long)sample;
-    double sum = 0;
-
-    if (!mesh->count)
-        return i == 0 || i + 1 == f->rows || j == 0 || j + 1 == m
-                   ? 0
-                   : turn_of(s, (const double *const[]){y - 3 * (long)m, y + 3 * (long)m,
-                                                        y - 3, y + 3});
-    for (int n = mesh->ring_at[sample]; n < mesh->ring_at[sample + 1]; n++) {
-        const int *corner = mesh->corner[mesh->ring[n]];
-        const double *p = all + 3 * (long)corner[0];
-        sum += turn_of(s, (const double *const[]){p, all + 3 * (long)corner[1], p,
-                                                  all + 3 * (long)corner[2]});
-    }
-    return sum / (6 * f->area[sample]);
-}
-
 /* Returns by how much samples may move against each other, up to the margin, before a near
  * triangle of a sample can get to its other side, negative if the side is above; 0: it
  * isn't known. Then a way between samples is longer by as much, differences of neighbours,
@@ -404,11 +353,11 @@ static double normal_turns(const struct contact_search *s, int sample)
 static double side_of(const struct contact_search *s, int sample)
 {
     const struct contact_surface *f = s->sheet.surface;
+    const int m = f->points[1], i = sample / m % f->rows, j = sample % m;
     const double *y = s->sheet.y + 3 * (long)sample, *n = s->normal + 3 * (long)sample;
-    const double turn = normal_turns(s, sample);
-    double low = INFINITY, high = -INFINITY, far = 0;
+    double u[3], v[3], low = INFINITY, high = -INFINITY, far = 0, turn;
 
-    if (!(turn > 0))
+    if (!f->mesh.count && (i == 0 || i + 1 == f->rows || j == 0 || j + 1 == m))
         return 0;
     for (int k = s->first[sample]; k < s->first[sample + 1]; k++) {
         int corner[3];
@@ -422,6 +371,13 @@ static double side_of(const struct contact_search *s, int sample)
         }
         if (low <= 0 && high >= 0)
             return 0;
+    }
+    if (f->mesh.count) {
+        turn = mesh_cells_turn(&f->mesh, s->sheet.y, sample, s->margin);
+    } else {
+        vector_between(y - 3 * (long)m, y + 3 * (long)m, u);
+        vector_between(y - 3, y + 3, v);
+        turn = vector_length(u) + vector_length(v) + s->margin;
     }
     const double rate = (sqrt(far) + s->margin) * turn + vector_length(n);
     return (low > 0 ? low : high) / rate;
@@ -487,7 +443,9 @@ static void consider_all(const struct contact_search *s, int sample,
 
     for (int cell = 0; cell < cells; cell++) {
         const int triangle = contact_tree_triangle(&s->tree, cell);
-        if (outside(s, sample, triangle, s->start) || contact_surface_cut(f, cell / n[1]))
+        int end[4];
+        contact_tree_corners(&s->tree, cell, end);
+        if (outside(s, sample, end, s->start) || contact_surface_cut(f, cell / n[1]))
             continue;
         for (int k = triangle; k < triangle + contact_tree_triangles(&s->tree); k++)
             if (!has_corner(s, k, sample))

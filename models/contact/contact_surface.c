@@ -95,8 +95,7 @@ out:
 }
 
 enum status contact_surface_init_mesh(struct contact_surface *s, int nodes, int count,
-                                      const double *area,
-                                      const struct contact_triangles *mesh, double spacing)
+                                      const struct mesh_cells *mesh, double spacing)
 {
     enum status st;
 
@@ -111,7 +110,7 @@ enum status contact_surface_init_mesh(struct contact_surface *s, int nodes, int 
                  ROOM(s->shape, count), ROOM(s->area, count)));
     for (int n = 0; n < count; n++)
         s->used[n] = 1, s->node[n] = n, s->shape[n] = 1;
-    memcpy(s->area, area, (size_t)count * sizeof *area);
+    memcpy(s->area, mesh->area, (size_t)count * sizeof *s->area);
 out:
     return st;
 }

@@ -10,7 +10,7 @@
 #ifndef CONTACT_SURFACE_H
 #define CONTACT_SURFACE_H
 
-#include "models/mesh_flat.h"
+#include "models/mesh_cells.h"
 #include "models/scene.h"
 
 /* Fills node[width] and shape[width] such that the mid-surface's point (u,v) is the sum of
@@ -20,19 +20,6 @@ typedef int contact_row(const void *self, double u, double v, int *node, double 
 
 /* The most nodes of a row of a surface that goes on beyond its ends. */
 enum { CONTACT_SURFACE_NODES = 256 };
-
-/* The triangles of a mesh, all borrowed from it. Distances along a sheet that is sewn
- * together, whose samples may have several places in the pattern, are those where it
- * starts, straight across: no farther than along the sheet. */
-struct contact_triangles {
-    int count;
-    const int (*corner)[3];       /* [count] counter-clockwise in the pattern             */
-    const int (*side)[3];         /* [count] edges across from corners                    */
-    const struct mesh_edge *edge; /* mesh_flat.h                                          */
-    const int *ring_at, *ring;    /* [samples + 1] triangles around samples               */
-    const double (*at)[2];        /* [samples] places in the flat pattern           [m]   */
-    const double (*start)[3];     /* [samples] where they start; NULL: in the pattern [m] */
-};
 
 struct contact_surface {
     const void *self; /* of `row`                                            borrowed  */
@@ -53,7 +40,7 @@ struct contact_surface {
     double *flat[2]; /* [points] lengths at rest along u (v = 1/2) and v (u = 0) from the
                         edge of each sheet, for distances along it             [m]     */
     double spacing;  /* longest of neighbouring samples at rest                       [m] */
-    struct contact_triangles mesh; /* none: the samples are a grid                    */
+    struct mesh_cells mesh; /* none: the samples are a grid                    */
     double around; /* length at rest along v of a sheet closed around, or 0 [m]         */
 };
 
@@ -88,8 +75,7 @@ enum status contact_surface_init_net(struct contact_surface *s, const struct sce
 
 /* Makes the samples of a mesh: its first `count` nodes, with their areas. */
 enum status contact_surface_init_mesh(struct contact_surface *s, int nodes, int count,
-                                      const double *area,
-                                      const struct contact_triangles *mesh, double spacing);
+                                      const struct mesh_cells *mesh, double spacing);
 void contact_surface_clear(struct contact_surface *s);
 
 /* Fills line[(breaks - 1) per + 1] with `per` samples a span of the ascending

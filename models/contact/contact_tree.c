@@ -18,7 +18,7 @@ enum { PARALLEL = 1000 }; /* boxes from which threads are worth their start     
 
 void contact_tree_clear(struct contact_tree *t)
 {
-    contact_patches_clear(&t->patches);
+    mesh_patches_clear(&t->patches);
     free(t->room);
     memset(t, 0, sizeof *t);
 }
@@ -26,31 +26,6 @@ void contact_tree_clear(struct contact_tree *t)
 static bool meshed(const struct contact_tree *t)
 {
     return t->patches.order;
-}
-
-/* Finds the lengths along a grid. */
-static void measure_grid(struct contact_tree *t)
-{
-    const struct contact_surface *s = t->surface;
-
-    for (int d = 0; d < 2; d++)
-        for (int k = 0; k + 1 < s->points[d]; k++)
-            t->per_length[d][k] = 1 / (s->flat[d][k + 1] - s->flat[d][k]);
-    for (int k = 0; k < s->count; k++) {
-        t->flat[k][0] = s->flat[0][k / s->points[1]];
-        t->flat[k][1] = s->flat[1][k % s->points[1]];
-    }
-}
-
-static void measure_mesh(struct contact_tree *t)
-{
-    const struct contact_triangles *mesh = &t->surface->mesh;
-
-    for (int k = 0; k < t->surface->count; k++)
-        if (mesh->start)
-            memcpy(t->flat[k], mesh->start[k], sizeof t->flat[k]);
-        else
-            memcpy(t->flat[k], mesh->at[k], sizeof mesh->at[k]);
 }
 
 enum status contact_tree_init(struct contact_tree *t, const struct contact_surface *s,
@@ -75,12 +50,19 @@ enum status contact_tree_init(struct contact_tree *t, const struct contact_surfa
                  ROOM(t->per_length[1], s->points[1]), ROOM(t->flat, s->count)));
     for (int l = 1; l < t->levels; l++)
         t->level[l].box = t->boxes + start[l];
-    if (s->mesh.count) {
-        measure_mesh(t);
-        TRY(contact_patches_init(&t->patches, s));
-    } else {
-        measure_grid(t);
-    }
+    for (int d = 0; d < 2; d++)
+        for (int k = 0; !s->mesh.count && k + 1 < s->points[d]; k++)
+            t->per_length[d][k] = 1 / (s->flat[d][k + 1] - s->flat[d][k]);
+    for (int k = 0; k < s->count; k++)
+        if (s->mesh.start)
+            memcpy(t->flat[k], s->mesh.start[k], sizeof t->flat[k]);
+        else if (s->mesh.count)
+            memcpy(t->flat[k], s->mesh.at[k], sizeof s->mesh.at[k]);
+        else
+            for (int d = 0; d < 2; d++)
+                t->flat[k][d] = s->flat[d][d ? k % s->points[1] : k / s->points[1]];
+    if (s->mesh.count)
+        TRY(mesh_patches_init(&t->patches, &s->mesh, s->count));
 out:
     return st;
 }
@@ -91,36 +73,10 @@ int contact_tree_triangle(const struct contact_tree *t, int cell)
                      : 2 * (cell + cell / (t->surface->points[1] - 1));
 }
 
-/* Lists the samples of which a triangle is the first one around them. */
-static int samples_of(const struct contact_triangles *mesh, int triangle, int sample[4])
-{
-    int count = 0;
-
-    for (int k = 0; k < 3; k++) {
-        const int corner = mesh->corner[triangle][k];
-        if (mesh->ring[mesh->ring_at[corner]] == triangle)
-            sample[count++] = corner;
-    }
-    return count;
-}
-
-/* Lists the edges of which a triangle is the first one beside them. */
-static int edges_of(const struct contact_triangles *mesh, int triangle, int edge[5][2])
-{
-    int count = 0;
-
-    for (int k = 0; k < 3; k++) {
-        const struct mesh_edge *e = &mesh->edge[mesh->side[triangle][k]];
-        if (e->triangle[0] == triangle)
-            memcpy(edge[count++], e->node, sizeof *edge);
-    }
-    return count;
-}
-
 int contact_tree_samples(const struct contact_tree *t, int cell, int sample[4])
 {
     if (meshed(t))
-        return samples_of(&t->surface->mesh, t->patches.order[cell], sample);
+        return mesh_cells_points(&t->surface->mesh, t->patches.order[cell], sample);
     const int m = t->surface->points[1], i = cell / (m - 1), j = cell % (m - 1);
     const bool last_u = (i + 2) % t->surface->rows == 0, last_v = j + 2 == m;
     int count = 0;
@@ -138,7 +94,7 @@ int contact_tree_samples(const struct contact_tree *t, int cell, int sample[4])
 int contact_tree_edges(const struct contact_tree *t, int cell, int edge[5][2])
 {
     if (meshed(t))
-        return edges_of(&t->surface->mesh, t->patches.order[cell], edge);
+        return mesh_cells_edges(&t->surface->mesh, t->patches.order[cell], edge);
     const int m = t->surface->points[1], i = cell / (m - 1), j = cell % (m - 1);
     const int c = i * m + j;
     const int all[5][2] = {
@@ -193,60 +149,24 @@ static void set_slopes(struct contact_box *box, int first, const double *y, long
     }
 }
 
-/* Sets a part of a box to the hull of a vector at the four corners of a cell. */
-static void set_corners(struct contact_box *box, int first, const double *a, long m)
-{
-    memcpy(box->low + first, a, 3 * sizeof *a);
-    memcpy(box->high + first, a, 3 * sizeof *a);
-    take(box, first, a + 3);
-    take(box, first, a + 3 * m);
-    take(box, first, a + 3 * (m + 1));
-}
-
-/* Sets a part of a box to the hull of a vector at the corners of a triangle. */
-static void set_triangle(struct contact_box *box, int first, const double *a,
-                         const int corner[3])
+/* Sets a part of a box to the hull of a vector at the corners of a cell. */
+static void set_corners(struct contact_box *box, int first, const double *a,
+                        const int corner[4])
 {
     memcpy(box->low + first, a + 3 * (long)corner[0], 3 * sizeof *a);
     memcpy(box->high + first, a + 3 * (long)corner[0], 3 * sizeof *a);
-    take(box, first, a + 3 * (long)corner[1]);
-    take(box, first, a + 3 * (long)corner[2]);
+    for (int k = 1; k < 4; k++)
+        take(box, first, a + 3 * (long)corner[k]);
 }
 
 static void fit_places(const struct contact_tree *t, int cell, struct contact_box *box)
 {
-    if (meshed(t)) {
-        const int *corner = t->surface->mesh.corner[t->patches.order[cell]];
-        set_triangle(box, PLACE, t->y, corner);
-        if (t->d)
-            set_triangle(box, MOTION, t->d, corner);
-        return;
-    }
-    const int m = t->surface->points[1];
-    const long corner = cell + cell / (m - 1);
+    int corner[4];
 
-    set_corners(box, PLACE, t->y + 3 * corner, m);
+    contact_tree_corners(t, cell, corner);
+    set_corners(box, PLACE, t->y, corner);
     if (t->d)
-        set_corners(box, MOTION, t->d + 3 * corner, m);
-}
-
-/* Sets the slopes of a box to those of a triangle along u and v of the pattern. */
-static void set_gradient(const struct contact_tree *t, int triangle,
-                         struct contact_box *box)
-{
-    const int *corner = t->surface->mesh.corner[triangle];
-    const double *y[3], *p[3];
-
-    for (int k = 0; k < 3; k++)
-        y[k] = t->y + 3 * (long)corner[k], p[k] = t->flat[corner[k]];
-    const double a[2] = {p[1][0] - p[0][0], p[1][1] - p[0][1]};
-    const double b[2] = {p[2][0] - p[0][0], p[2][1] - p[0][1]};
-    const double per_area = 1 / (a[0] * b[1] - a[1] * b[0]);
-    for (int i = 0; i < 3; i++) {
-        const double e = y[1][i] - y[0][i], f = y[2][i] - y[0][i];
-        box->low[ALONG_U + i] = box->high[ALONG_U + i] = (b[1] * e - a[1] * f) * per_area;
-        box->low[ALONG_V + i] = box->high[ALONG_V + i] = (a[0] * f - b[0] * e) * per_area;
-    }
+        set_corners(box, MOTION, t->d, corner);
 }
 
 static void fit_slopes(const struct contact_tree *t, int cell, struct contact_box *box)
@@ -257,7 +177,9 @@ static void fit_slopes(const struct contact_tree *t, int cell, struct contact_bo
         return;
     }
     if (meshed(t)) {
-        set_gradient(t, t->patches.order[cell], box);
+        mesh_cells_slopes(&t->surface->mesh, t->y, t->patches.order[cell],
+                          box->low + ALONG_U, box->low + ALONG_V);
+        memcpy(box->high + ALONG_U, box->low + ALONG_U, 6 * sizeof *box->low);
         return;
     }
     const int m = t->surface->points[1], i = cell / (m - 1), j = cell % (m - 1);
@@ -378,11 +300,11 @@ static double gap_in_patch(const struct contact_tree *t, int l, int p, int q)
     struct contact_box hull;
     double part[4];
 
-    if (l == 0 || !contact_patches_between(&t->patches, l, p, q, part, &near, &end))
+    if (l == 0 || !mesh_patches_between(&t->patches, l, p, q, part, &near, &end))
         return 0;
     hull = box[p];
     for (; near < end; near++)
-        if (contact_patches_meets(&t->patches, l, *near, part))
+        if (mesh_patches_meets(&t->patches, l, *near, part))
             join(&hull, &box[*near], ALONG_U, MOTION);
     return t->apart * flatness(&hull);
 }

@@ -15,9 +15,10 @@
 #define CONTACT_TREE_H
 
 #include <math.h>
+#include <string.h>
 
-#include "models/contact/contact_patch.h"
 #include "models/contact/contact_surface.h"
+#include "models/mesh_patch.h"
 
 struct contact_tree {
     const struct contact_surface *surface; /*                              borrowed  */
@@ -28,7 +29,7 @@ struct contact_tree {
     double *per_length[2]; /* [points - 1] inverse lengths at rest              [1/m] */
     double (*flat)[3];     /* [samples] lengths at rest along u and v, 0; places in a mesh's
                               pattern, or where it starts                         [m] */
-    struct contact_patches patches; /* of a mesh                          owned     */
+    struct mesh_patches patches; /* of a mesh                          owned     */
     struct contact_box *boxes;
     struct contact_tree_level {
         int n[2]; /* boxes along u and v; of level 0 the cells              */
@@ -75,6 +76,21 @@ int contact_tree_triangle(const struct contact_tree *t, int cell);
 static inline int contact_tree_triangles(const struct contact_tree *t)
 {
     return t->patches.order ? 1 : 2;
+}
+
+/* Lists the samples at a cell's corners; of a triangle the last one twice. */
+static inline void contact_tree_corners(const struct contact_tree *t, int cell,
+                                        int corner[4])
+{
+    const int m = t->surface->points[1];
+
+    if (t->patches.order) {
+        memcpy(corner, t->surface->mesh.corner[t->patches.order[cell]], 3 * sizeof *corner);
+        corner[3] = corner[2];
+        return;
+    }
+    corner[0] = cell + cell / (m - 1), corner[1] = corner[0] + 1;
+    corner[2] = corner[0] + m, corner[3] = corner[2] + 1;
 }
 
 /* List the samples and the edges that a cell owns, so that each has one owner; return how

@@ -133,11 +133,16 @@ enum status mesh_contact(const struct mesh *mesh, const struct scene *scene,
         return contact_surface_init_net(surface, scene, mesh->points);
     if (scene->pattern)
         return contact_surface_init_mesh(
-            surface, mesh->nodes, mesh->vertices, mesh->area,
-            &(struct contact_triangles){
-                mesh->flat.triangles, (const int(*)[3])mesh->flat.triangle,
-                (const int(*)[3])mesh->side, mesh->edge, mesh->ring_at, mesh->ring,
-                (const double(*)[2])mesh->flat.at, (const double(*)[3])mesh->flat.start},
+            surface, mesh->nodes, mesh->vertices,
+            &(struct mesh_cells){.count = mesh->flat.triangles,
+                                 .corner = (const int(*)[3])mesh->flat.triangle,
+                                 .side = (const int(*)[3])mesh->side,
+                                 .edge = mesh->edge,
+                                 .ring_at = mesh->ring_at,
+                                 .ring = mesh->ring,
+                                 .at = (const double(*)[2])mesh->flat.at,
+                                 .start = (const double(*)[3])mesh->flat.start,
+                                 .area = mesh->area},
             mesh->scale);
     for (int i = 0; i < 2; i++)
         points[i] = 1 + (int)fmax(1, round(mesh->size[i] / mesh->scale));

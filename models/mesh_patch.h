@@ -1,4 +1,4 @@
-/* contact_patch.h - the triangles of a mesh as a tree: their order, and which boxes make up
+/* mesh_patch.h - the triangles of a mesh as a tree: their order, and which boxes make up
  * the pattern around another.
  *
  * A box of level l has 2^l triangles that follow each other in the order, or what is left.
@@ -7,12 +7,14 @@
  * line between any two of its points stays on the sheet, in the boxes that meet the patch.
  * What is sewn together has an order only, by where it starts: no patch counts as convex.
  */
-#ifndef CONTACT_PATCH_H
-#define CONTACT_PATCH_H
+#ifndef MESH_PATCH_H
+#define MESH_PATCH_H
 
-#include "models/contact/contact_surface.h"
+#include <stdbool.h>
 
-struct contact_patches {
+#include "models/mesh_cells.h"
+
+struct mesh_patches {
     int *order; /* [cells] triangles                                             owned  */
     void *room; /* of what follows, all [boxes], level by level from 1           owned  */
     double (*part)[4]; /* rectangles: least u and v, largest                       [m] */
@@ -23,19 +25,19 @@ struct contact_patches {
     int *near;         /* boxes of the same level that meet the patch           owned  */
 };
 
-/* Initialises for the triangles of a surface. STATUS_MEMORY. */
-enum status contact_patches_init(struct contact_patches *p,
-                                 const struct contact_surface *s);
-void contact_patches_clear(struct contact_patches *p);
+/* Initialises for the triangles of a mesh of so many points. STATUS_MEMORY. */
+enum status mesh_patches_init(struct mesh_patches *p, const struct mesh_cells *mesh,
+                              int points);
+void mesh_patches_clear(struct mesh_patches *p);
 
 /* Tells whether straight lines between the boxes a and b of a level >= 1 stay on the sheet;
  * they are then in those of the boxes from *near up to *end that meet `part`. */
-bool contact_patches_between(const struct contact_patches *p, int level, int a, int b,
-                             double part[4], const int **near, const int **end);
+bool mesh_patches_between(const struct mesh_patches *p, int level, int a, int b,
+                          double part[4], const int **near, const int **end);
 
 /* Tells whether a box of a level meets a part. */
-static inline bool contact_patches_meets(const struct contact_patches *p, int level, int a,
-                                         const double part[4])
+static inline bool mesh_patches_meets(const struct mesh_patches *p, int level, int a,
+                                      const double part[4])
 {
     const double *own = p->part[p->start[level] + a];
 

@@ -1,4 +1,4 @@
-#include "models/contact/contact_patch.h"
+#include "models/mesh_patch.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -9,7 +9,7 @@
 /* The sine of an angle by which a border may turn to the other side and yet be straight. */
 static const double STRAIGHT = 1e-9;
 
-void contact_patches_clear(struct contact_patches *p)
+void mesh_patches_clear(struct mesh_patches *p)
 {
     free(p->order);
     free(p->room);
@@ -73,7 +73,7 @@ static void bisect(struct spot *spot, int count)
     bisect(spot + half, count - half);
 }
 
-static enum status find_order(const struct contact_triangles *mesh, int *order)
+static enum status find_order(const struct mesh_cells *mesh, int *order)
 {
     struct spot *spot = calloc((size_t)mesh->count, sizeof *spot);
 
@@ -100,11 +100,11 @@ static enum status find_order(const struct contact_triangles *mesh, int *order)
 
 /* What patches are made from, and room for borders in them. */
 struct work {
-    struct contact_patches *p;
-    const struct contact_triangles *mesh;
+    struct mesh_patches *p;
+    const struct mesh_cells *mesh;
     int levels, boxes[32]; /* of levels                                                 */
     int *border;           /* [edges] those of the border that meet a patch             */
-    int *before;           /* [samples] 1 + that which ends there; 0: none              */
+    int *before;           /* [points] 1 + that which ends there; 0: none              */
 };
 
 /* Returns a rectangle with its longer side added all around. */
@@ -126,7 +126,7 @@ static void include(double part[4], const double low[2], const double high[2])
 
 static void fit_parts(const struct work *w)
 {
-    struct contact_patches *p = w->p;
+    struct mesh_patches *p = w->p;
 
     for (int l = 1; l < w->levels; l++)
         for (int n = 0; n < w->boxes[l]; n++) {
@@ -144,7 +144,7 @@ static void fit_parts(const struct work *w)
         }
 }
 
-static enum status keep(struct contact_patches *p, int box)
+static enum status keep(struct mesh_patches *p, int box)
 {
     if (p->count == p->most) {
         const int most = 2 * p->most + 1024;
@@ -160,7 +160,7 @@ static enum status keep(struct contact_patches *p, int box)
 /* Lists the boxes that meet a box's patch: of those in the patch of the box around it. */
 static enum status list_near(const struct work *w, int l, int n)
 {
-    struct contact_patches *p = w->p;
+    struct mesh_patches *p = w->p;
     const int self = p->start[l] + n,
               above = l + 1 < w->levels ? p->start[l + 1] + n / 2 : -1;
     enum status st = STATUS_OK;
@@ -172,7 +172,7 @@ static enum status list_near(const struct work *w, int l, int n)
         TRY(keep(p, n));
     for (int k = above < 0 ? 0 : p->first[above]; above >= 0 && k < p->end[above]; k++)
         for (int c = 2 * p->near[k]; c < 2 * p->near[k] + 2 && c < w->boxes[l]; c++)
-            if (contact_patches_meets(p, l, c, wide))
+            if (mesh_patches_meets(p, l, c, wide))
                 TRY(keep(p, c));
     p->end[self] = p->count;
 out:
@@ -183,8 +183,8 @@ out:
  * returns how many. */
 static int list_border(const struct work *w, int l, int n)
 {
-    const struct contact_patches *p = w->p;
-    const struct contact_triangles *mesh = w->mesh;
+    const struct mesh_patches *p = w->p;
+    const struct mesh_cells *mesh = w->mesh;
     const int self = p->start[l] + n;
     double wide[4];
     int count = 0;
@@ -205,7 +205,7 @@ static int list_border(const struct work *w, int l, int n)
 }
 
 /* Tells whether the border turns to the right from an edge to the next. */
-static bool turns_in(const struct contact_triangles *mesh, int edge, int next)
+static bool turns_in(const struct mesh_cells *mesh, int edge, int next)
 {
     const int *a = mesh->edge[edge].node, *b = mesh->edge[next].node;
     const double p[2] = {mesh->at[a[1]][0] - mesh->at[a[0]][0],
@@ -240,7 +240,7 @@ static bool is_convex(const struct work *w, int l, int n)
     return convex && pieces < 2;
 }
 
-/* Counts the boxes of levels, as contact_tree.c has them. */
+/* Counts the boxes of levels, as contact_tree.h has them. */
 static int count_boxes(struct work *w)
 {
     int count = 0;
@@ -254,18 +254,18 @@ static int count_boxes(struct work *w)
     return count;
 }
 
-enum status contact_patches_init(struct contact_patches *p, const struct contact_surface *s)
+enum status mesh_patches_init(struct mesh_patches *p, const struct mesh_cells *mesh,
+                              int points)
 {
-    const struct contact_triangles *mesh = &s->mesh;
     struct work w = {.p = p, .mesh = mesh};
     void *room = NULL;
     enum status st;
 
-    *p = (struct contact_patches){0};
+    *p = (struct mesh_patches){0};
     const int boxes = count_boxes(&w);
     TRY(room_cut(&p->room, ROOM(p->part, boxes), ROOM(p->first, boxes), ROOM(p->end, boxes),
                  ROOM(p->convex, boxes)));
-    TRY(room_cut(&room, ROOM(w.border, 3 * mesh->count), ROOM(w.before, s->count)));
+    TRY(room_cut(&room, ROOM(w.border, 3 * mesh->count), ROOM(w.before, points)));
     p->order = calloc((size_t)mesh->count, sizeof *p->order);
     if (!p->order)
         TRY(STATUS_MEMORY);
@@ -282,12 +282,12 @@ enum status contact_patches_init(struct contact_patches *p, const struct contact
 out:
     free(room);
     if (st)
-        contact_patches_clear(p);
+        mesh_patches_clear(p);
     return st;
 }
 
 /* Tells whether the patch of a box is known to be convex and holds another box. */
-static bool holds(const struct contact_patches *p, int self, int other)
+static bool holds(const struct mesh_patches *p, int self, int other)
 {
     double wide[4];
 
@@ -297,8 +297,8 @@ static bool holds(const struct contact_patches *p, int self, int other)
            in[3] <= wide[3];
 }
 
-bool contact_patches_between(const struct contact_patches *p, int level, int a, int b,
-                             double part[4], const int **near, const int **end)
+bool mesh_patches_between(const struct mesh_patches *p, int level, int a, int b,
+                          double part[4], const int **near, const int **end)
 {
     const int first = p->start[level] + a, second = p->start[level] + b;
     const int self = holds(p, first, second) ? first : second;

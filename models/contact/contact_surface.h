@@ -58,7 +58,7 @@ static inline bool contact_surface_cut(const struct contact_surface *s, int i)
 }
 
 /* Makes the samples at line[0] x line[1] (copied); `row` NULL: they are the nodes. A
- * surface of wider rows is smooth, unless its owner then says that it is not. */
+ * surface of wider rows is smooth. */
 enum status contact_surface_init(struct contact_surface *s, const struct scene *scene,
                                  const void *self, contact_row *row, int width, int nodes,
                                  const double *const line[2], const int points[2]);

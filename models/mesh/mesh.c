@@ -114,42 +114,23 @@ enum status mesh_loads(const struct mesh *mesh, const struct scene *scene, doubl
                       : mesh_add_loads(mesh, scene, *dead);
 }
 
-static int row_of(const void *self, double u, double v, int *node, double *shape)
-{
-    const struct mesh *mesh = self;
-
-    memcpy(node, mesh->flat.triangle[mesh_find(mesh, (const double[]){u, v}, shape)],
-           sizeof *mesh->flat.triangle);
-    return 3;
-}
-
 enum status mesh_contact(const struct mesh *mesh, const struct scene *scene,
                          struct contact_surface *surface)
 {
-    enum status st;
-    int points[2];
-
     if (mesh->rows)
         return contact_surface_init_net(surface, scene, mesh->points);
-    if (scene->pattern)
-        return contact_surface_init_mesh(
-            surface, mesh->nodes, mesh->vertices,
-            &(struct mesh_cells){.count = mesh->flat.triangles,
-                                 .corner = (const int(*)[3])mesh->flat.triangle,
-                                 .side = (const int(*)[3])mesh->side,
-                                 .edge = mesh->edge,
-                                 .ring_at = mesh->ring_at,
-                                 .ring = mesh->ring,
-                                 .at = (const double(*)[2])mesh->flat.at,
-                                 .start = (const double(*)[3])mesh->flat.start,
-                                 .area = mesh->area},
-            mesh->scale);
-    for (int i = 0; i < 2; i++)
-        points[i] = 1 + (int)fmax(1, round(mesh->size[i] / mesh->scale));
-    TRY(contact_surface_init_even(surface, scene, mesh, row_of, 3, mesh->vertices, points));
-    surface->smooth = false;
-out:
-    return st;
+    return contact_surface_init_mesh(
+        surface, mesh->nodes, mesh->vertices,
+        &(struct mesh_cells){.count = mesh->flat.triangles,
+                             .corner = (const int(*)[3])mesh->flat.triangle,
+                             .side = (const int(*)[3])mesh->side,
+                             .edge = mesh->edge,
+                             .ring_at = mesh->ring_at,
+                             .ring = mesh->ring,
+                             .at = (const double(*)[2])mesh->flat.at,
+                             .start = (const double(*)[3])mesh->flat.start,
+                             .area = mesh->area},
+        mesh->scale);
 }
 
 enum status mesh_order(const struct mesh *mesh, int **order)

@@ -107,9 +107,8 @@ enum status mesh_add_loads(const struct mesh *mesh, const struct scene *scene, d
  * owned by the caller; NULL if there are none. */
 enum status mesh_loads(const struct mesh *mesh, const struct scene *scene, double **dead);
 
-/* Makes the surface that contact sees, whose samples are a grid's points, or those of a
- * sheet with an outline; on another mesh they lie in a grid of as many as it has points.
- * The mesh must stay where it is. */
+/* Makes the surface that contact sees, whose samples are the points. The mesh must stay
+ * where it is. */
 enum status mesh_contact(const struct mesh *mesh, const struct scene *scene,
                          struct contact_surface *surface);
 

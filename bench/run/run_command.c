@@ -131,6 +131,15 @@ static enum status read_options(struct job *j, const struct command_line *line,
     return STATUS_OK;
 }
 
+/* Takes triangles for a sheet that is no rectangle, in place of the first of the models. */
+static enum status choose_model(struct job *j, struct message *why)
+{
+    struct scene scene SCOPED(scene_clear) = {0};
+
+    CALL(contestant_read_scene(&j->c.settings, j->c.path, &scene, why));
+    return scene.pattern ? contestant_find("triangles", &j->c.contestant, why) : STATUS_OK;
+}
+
 static enum status read_scene(struct job *j, const struct command_line *line,
                               struct message *why)
 {
@@ -141,6 +150,8 @@ static enum status read_scene(struct job *j, const struct command_line *line,
     settings_set_all(&j->c.settings, given, set);
     CALL(scene_file_find(line->words[0], &path, why));
     j->c.path = arena_keep(&j->c.settings.arena, path);
+    if (!command_given(line, "--model"))
+        CALL(choose_model(j, why));
     CALL(run_read(&j->run, &j->c, why));
     if (j->settled && j->run.discretization.kinematics != KINEMATICS_NONLINEAR)
         return status_fail(
@@ -321,7 +332,7 @@ out:
 static const struct command_option options[] = {
     {"--model", "NAME", false,
      "a model or a contestant; without it the first of\n"
-     "`clothbench list models`"},
+     "`clothbench list models`, triangles of a sheet that is no rectangle"},
     {"--set", "KEY=VALUE", true,
      "a key of the scene (material.young=5e4) or of the\n"
      "discretization (discretization.points=[20,20,2],\n"

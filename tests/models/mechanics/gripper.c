@@ -199,7 +199,27 @@ static void check_hands(size_t n)
     run_close(&run);
 }
 
-/* Lifts a sheet off a ball, and one with an outline. */
+/* Lifts a corner of a sheet with an outline. */
+static void check_outline(const char *model)
+{
+    struct run run = {0};
+    double x[2][3];
+
+    OPENED_RUN(
+        &run, "drag_fall", model, SHEET, "gravity=[0,0,-9.81]",
+        "sheet={outline: [[0, 0], [1, 0], [0.7, 0.6], [0, 0.5]], thickness: 0.01}",
+        "supports=[{at: {u: [0, 0.2], v: [0, 0.2]}, fix: xyz, from: 0.1, until: 0.2, "
+        "path: [[0.1, 0, 0, 0], [0.2, 0.01, 0, 0.1]]}]");
+    for (int s = 0; s < 2; s++) {
+        opened_steps(&run, 10);
+        run.model->probe(run.state, 1, (double[]){0, 0, 0.5}, x[s]);
+    }
+    CHECK_NEAR(x[1][0] - x[0][0], 0.01, SUM);
+    CHECK_NEAR(x[1][2] - x[0][2], 0.1, SUM);
+    run_close(&run);
+}
+
+/* Lifts a sheet off a ball. */
 static void check_bodies(const char *model)
 {
     struct run run = {0};
@@ -315,6 +335,8 @@ int main(void)
     for (size_t n = 0; n < sizeof models / sizeof *models; n++) {
         check_bodies(models[n]);
         check_before(models[n]);
+        if (n < 5)
+            check_outline(models[n]);
     }
     check_clamp();
     check_carried();

@@ -7,9 +7,11 @@
  *   f = rho / 2 (c_n |w_n| w_n + c_t |w_t| w_t):
  *
  * a plate across the stream has the drag coefficient c_n by its area, one along it c_t.
- * (The split into normal and tangential parts, each by its own square, is that of Ling,
+ * Each part knows its own velocity alone, as the cross-flow principle has it for inclined
+ * wires (Hoerner 1965, Fluid-Dynamic Drag); for forces of an air flow on cloth see Ling,
  * Damodaran and Gay 1996, Aerodynamic force models for animating cloth motion in an air
- * flow.) No part of a sheet shelters another, and air has no mass.
+ * flow. No part of a sheet shelters another, there is no lift beyond this, and air has no
+ * mass.
  *
  * On coefficients x_a with functions N_a the force is int N_a f |x_u x x_v| du dv. The
  * tangent is the symmetric part of its derivative: of the velocity, which is positive

@@ -68,9 +68,11 @@ void net_clear(struct net *net);
 /* Makes the contact, if the scene has any. */
 enum status net_meet(struct net *net);
 
-/* Makes the air of a net that is swept; then nothing, or puts the force of a step of dt
- * from time t, shape x and velocities v into net->load (air_ahead). */
+/* Makes the air of a net that is swept, if the scene has any. */
 enum status net_make_air(struct net *net);
+
+/* Puts its force in a step of dt from time t [s], shape x and velocities v, into net->load
+ * (air_ahead). */
 void net_blow(struct net *net, double t, double dt, const double *x, const double *v);
 
 /* Moves held points of net->x to where they are at time t. */

@@ -189,6 +189,25 @@ static void check_wind(size_t n)
     run_close(&run);
 }
 
+/* The last velocity of a sheet with an outline and a hole. */
+static void check_outline(const char *model)
+{
+    const double last = sqrt(2 * AREAL * GRAVITY / (AIR * NORMAL));
+    struct run run = {0};
+    double x[2][3];
+
+    OPENED_RUN(&run, "drag_fall", model, SHEET, DRAG,
+               "sheet={outline: [[0, 0], [1, 0], [0.7, 0.6], [0, 0.5]], holes: [[[0.2, "
+               "0.2], [0.3, 0.2], [0.3, 0.3]]], thickness: 0.001177}");
+    opened_steps(&run, 399);
+    for (int s = 0; s < 2; s++) {
+        run.model->probe(run.state, 1, (double[]){0.1, 0.1, 0.5}, x[s]);
+        opened_steps(&run, 1);
+    }
+    CHECK_NEAR((x[0][2] - x[1][2]) / run.scene.step / last, 1, 1e-6);
+    run_close(&run);
+}
+
 /* What is at rest has the same bits in still air and without. */
 static void check_rest(const char *model)
 {
@@ -257,6 +276,10 @@ int main(void)
         check_slide(n);
         check_wind(n);
     }
+    static const char *const nets[] = {"triangles", "mass_spring", "vbd", "position_based",
+                                       "projective_dynamics"};
+    for (size_t n = 0; n < sizeof nets / sizeof *nets; n++)
+        check_outline(nets[n]);
     check_rest("shell");
     check_rest("triangles");
     check_blown();

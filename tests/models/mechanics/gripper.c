@@ -199,7 +199,27 @@ static void check_hands(size_t n)
     run_close(&run);
 }
 
-/* Lifts a sheet off a ball, and one with an outline. */
+/* Lifts a corner of a sheet with an outline. */
+static void check_outline(const char *model)
+{
+    struct run run = {0};
+    double x[2][3];
+
+    OPENED_RUN(
+        &run, "drag_fall", model, SHEET, "gravity=[0,0,-9.81]",
+        "sheet={outline: [[0, 0], [1, 0], [0.7, 0.6], [0, 0.5]], thickness: 0.01}",
+        "supports=[{at: {u: [0, 0.2], v: [0, 0.2]}, fix: xyz, from: 0.1, until: 0.2, "
+        "path: [[0.1, 0, 0, 0], [0.2, 0.01, 0, 0.1]]}]");
+    for (int s = 0; s < 2; s++) {
+        opened_steps(&run, 10);
+        run.model->probe(run.state, 1, (double[]){0, 0, 0.5}, x[s]);
+    }
+    CHECK_NEAR(x[1][0] - x[0][0], 0.01, SUM);
+    CHECK_NEAR(x[1][2] - x[0][2], 0.1, SUM);
+    run_close(&run);
+}
+
+/* Lifts a sheet off a ball. */
 static void check_bodies(const char *model)
 {
     struct run run = {0};
@@ -213,7 +233,16 @@ static void check_bodies(const char *model)
     run_close(&run);
 }
 
-/* Beside a clamp that turns, and keeps the sheet's direction there in frames. */
+static int unknowns(const struct run *run)
+{
+    struct model_size size;
+
+    run->model->size(run->state, &size);
+    return size.unknowns;
+}
+
+/* Beside a clamp that turns, and keeps the sheet's direction there in frames; the gripper
+ * holds the eight points of its edge and no more. */
 static void check_clamp(void)
 {
     struct run run = {0};
@@ -224,9 +253,11 @@ static void check_clamp(void)
                "supports=[{at: {u: 1}, fix: xyz, from: 0.1, until: 0.2, path: [[0.1, 0, 0, "
                "0], [0.2, 0, 0, 0.05]]}, {at: {u: 0}, fix: xyz, turn: {axis: [0, -1, 0], "
                "about: [0, 0, 0], angles: [[0, 0], [0.3, 60]]}}]");
+    const int free = unknowns(&run);
     opened_steps(&run, 10);
     look(&run, from);
     opened_steps(&run, 10);
+    CHECK(unknowns(&run) == free - 24);
     look(&run, to);
     CHECK_NEAR(to[1][2] - from[1][2], 0.05, SUM);
     for (int frame = 20; frame <= 30; frame += 10) {
@@ -235,7 +266,45 @@ static void check_clamp(void)
         CHECK_NEAR(way[2] / way[0], tan(frame / 30. * acos(-1) / 3), 1e-4);
         opened_steps(&run, 10);
     }
+    CHECK(unknowns(&run) == free);
     run_close(&run);
+}
+
+/* Takes hold of what a clamp at rest carries along, which is free along the sheet alone,
+ * and of what is farther off. */
+static void check_carried(void)
+{
+    const double near[2][3] = {{0.2, 0.5, 0.5}, {0.5, 0.5, 0.5}};
+    struct run run = {0};
+    double x[2][2][3];
+
+    OPENED_RUN(&run, "drag_fall", "shell", SHEET, "gravity=[0,0,0]",
+               "supports=[{at: {u: 0}, fix: xyz}, {at: {u: [0, 0.6]}, fix: xyz, from: 0.1, "
+               "path: [[0.1, 0, 0, 0], [0.2, 0.01, 0, 0.02]]}]");
+    for (int s = 0; s < 2; s++) {
+        opened_steps(&run, 10);
+        run.model->probe(run.state, 2, near[0], x[s][0]);
+    }
+    CHECK_NEAR(x[1][0][0] - x[0][0][0], 0.01, SUM);
+    CHECK_NEAR(x[1][1][0] - x[0][1][0], 0.01, SUM);
+    CHECK_NEAR(x[1][1][2] - x[0][1][2], 0.02, SUM);
+    run_close(&run);
+}
+
+/* Before it takes hold a gripper is as good as none. */
+static void check_before(const char *model)
+{
+    static double with[3 * GRID_POINTS], without[3 * GRID_POINTS];
+    struct run run = {0};
+
+    for (int s = 0; s < 2; s++) {
+        OPENED_RUN(&run, "drag_fall", model, SHEET, THROWN, "time.step=0.01",
+                   s ? "supports=[{at: {u: 1}, fix: xyz, from: 0.2}]" : "supports=[]");
+        opened_steps(&run, 20);
+        model_sample(run.model, run.state, s ? with : without);
+        run_close(&run);
+    }
+    CHECK_NEAR(opened_apart(with, without), 0, SUM);
 }
 
 static void check_rest(void)
@@ -263,9 +332,14 @@ int main(void)
     static const char *const models[] = {
         "mass_spring",         "triangles", "vbd", "position_based",
         "projective_dynamics", "shell",     "iga"};
-    for (size_t n = 0; n < sizeof models / sizeof *models; n++)
+    for (size_t n = 0; n < sizeof models / sizeof *models; n++) {
         check_bodies(models[n]);
+        check_before(models[n]);
+        if (n < 5)
+            check_outline(models[n]);
+    }
     check_clamp();
+    check_carried();
     check_rest();
     return check_result();
 }

@@ -6,7 +6,7 @@
 #include "models/contact/contact_rest.h"
 #include "models/grid.h"
 #include "models/linalg/gauss.h"
-#include "models/mechanics/supports.h"
+#include "models/supports.h"
 #include "models/room.h"
 #include "models/solid/solid_hinge.h"
 #include "models/solid/solid_model.h"

@@ -10,7 +10,7 @@
 #include "iga/support_knots.h"
 #include "models/contact/contact_rest.h"
 #include "models/grid.h"
-#include "models/mechanics/supports.h"
+#include "models/supports.h"
 #include "models/room.h"
 #include "models/solid/solid_hinge.h"
 #include "models/solid/solid_model.h"

@@ -101,7 +101,7 @@ enum obstacle_kind {
 
 struct pattern;
 
-struct obstacle_mesh; /* models/contact/contact_mesh.h; one piece of memory */
+struct obstacle_mesh; /* models/bodies/body_mesh.h; one piece of memory */
 
 /* A body that the sheet may not enter; rigid. Places are those without its motion. */
 struct scene_obstacle {

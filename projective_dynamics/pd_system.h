@@ -10,7 +10,7 @@
 #include "models/discretization.h"
 #include "models/linalg/blocks.h"
 #include "models/linalg/factor.h"
-#include "models/mechanics/supports.h"
+#include "models/supports.h"
 #include "projective_dynamics/pd_energy.h"
 
 /* Components that hold the same nodes share a factor. */

@@ -9,7 +9,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "models/mechanics/supports.h"
+#include "models/supports.h"
 
 /* The bits that init serves; it refuses every other one, by its name. */
 #define SERVES (SCENE_NEED_PATCH_SUPPORTS | SCENE_NEED_COMPONENT_SUPPORTS | SCENE_NEED_DRAG)

@@ -9,10 +9,10 @@
 #include "bench/truth/truth.h"
 #include "bench/ui/command.h"
 #include "bench/ui/show.h"
-#include "models/contact/contact_mesh.h"
+#include "models/bodies/body_mesh.h"
 #include "models/damping.h"
 #include "models/mechanics/dead_load.h"
-#include "models/mechanics/supports.h"
+#include "models/supports.h"
 #include "models/net/hinge_mesh.h"
 #include "models/net/hinge_rule.h"
 #include "models/pattern.h"
@@ -555,7 +555,7 @@ static void export_mesh_obj(struct export_job *j, struct output *out)
 /* Writes a body as it lies in the scene, in metres. */
 static void export_mesh_body(struct export_job *j, struct output *out)
 {
-    const struct contact_mesh_view m = contact_mesh_view(j->scene.obstacles[j->body].mesh);
+    const struct body_mesh_view m = body_mesh_view(j->scene.obstacles[j->body].mesh);
 
     output_print(out, "# obstacle %d of %s [m]\no obstacle\n", j->body, j->scene.name);
     for (int n = 0; n < m.vertices; n++)

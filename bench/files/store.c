@@ -18,7 +18,7 @@
 #include "bench/files/xdmf.h"
 #include "models/pattern.h"
 #include "models/contact/contact.h"
-#include "models/contact/contact_mesh.h"
+#include "models/bodies/body_mesh.h"
 #include "models/grid.h"
 #include "models/reader/scene_schema.h"
 
@@ -101,7 +101,7 @@ static bool put_meshes(hid_t file, const struct scene *scene)
     for (int n = 0; good && n < scene->obstacle_count; n++) {
         if (scene->obstacles[n].kind != OBSTACLE_MESH)
             continue;
-        const struct contact_mesh_view m = contact_mesh_view(scene->obstacles[n].mesh);
+        const struct body_mesh_view m = body_mesh_view(scene->obstacles[n].mesh);
         double(*corner)[9] = malloc((size_t)m.triangles * sizeof *corner);
         char name[32];
         for (int k = 0; corner && k < m.triangles; k++)

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "models/contact/contact_law.h"
-#include "models/contact/contact_shape.h"
+#include "models/bodies/body_shape.h"
 #include "models/vector.h"
 
 /* A sheet keeps a margin if it rests farther off than this many times the distance at which
@@ -39,7 +39,7 @@ static int nearest_body(const struct scene *scene, double t, const double x[3],
     for (int n = 0; n < scene->obstacle_count; n++) {
         struct scene_placement pose;
         scene_motion_at(&scene->obstacles[n].motion, t, &pose);
-        const double far = contact_shape_distance(&scene->obstacles[n], &pose, x, NULL);
+        const double far = body_shape_distance(&scene->obstacles[n], &pose, x, NULL);
         if (far < *distance) {
             *distance = far;
             which = n;

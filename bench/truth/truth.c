@@ -8,7 +8,7 @@
 #include "bench/harness/distrust.h"
 #include "bench/truth/truth_making.h"
 #include "fem_ref/kirchhoff.h"
-#include "models/contact/contact_shape.h"
+#include "models/bodies/body_shape.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
 #include "models/metric/metric_rest.h"
@@ -36,7 +36,7 @@ static enum status check_drape(const struct scene *scene, struct message *why)
         return STATUS_OK;
     double *rest SCOPED(scope_free) = metric_rest_field(scene);
     CALL(rest ? STATUS_OK : STATUS_MEMORY);
-    if (contact_shape_least_gap(scene, 0, GRID_POINTS, rest) <= scene->thickness)
+    if (body_shape_least_gap(scene, 0, GRID_POINTS, rest) <= scene->thickness)
         return status_fail(
             why, STATUS_UNSUPPORTED,
             "%s has no truth: it is laid on an obstacle, and a drape has many "

@@ -8,7 +8,7 @@
 #include "bench/files/store.h"
 #include "bench/harness/run.h"
 #include "bench/truth/truth_making.h"
-#include "models/contact/contact_mesh.h"
+#include "models/bodies/body_mesh.h"
 #include "models/damping.h"
 #include "models/grid.h"
 #include "models/pattern.h"
@@ -68,7 +68,7 @@ static void print_loads(const struct scene *s, FILE *out)
 static void print_mesh(const struct scene_obstacle *o, FILE *out)
 {
     if (o->mesh) {
-        const struct contact_mesh_view m = contact_mesh_view(o->mesh);
+        const struct body_mesh_view m = body_mesh_view(o->mesh);
         fprintf(out, "mesh %d %d %016" PRIx64 "\n", m.vertices, m.triangles, m.mark);
     } else
         fprintf(out, "mesh missing\n");

@@ -234,7 +234,7 @@ static void body_way(const struct contact *c, const struct contact_touch *t,
     for (int k = t->first; k < t->first + t->count; k++)
         for (int i = 0; i < 3; i++)
             y[i] += c->weight[k] * x[3 * (size_t)c->node[k] + i];
-    contact_shape_carry(&c->pose[t->obstacle], &c->pose_old[t->obstacle], y, before);
+    body_shape_carry(&c->pose[t->obstacle], &c->pose_old[t->obstacle], y, before);
     vector_between(before, y, way);
 }
 
@@ -305,8 +305,8 @@ static double distance_before(const struct contact *c, const struct contact_touc
         return t->D_old;
     }
     contact_surface_at(&c->surface, t->sample, c->x_old, y);
-    return contact_shape_distance(&c->scene->obstacles[t->obstacle],
-                                  &c->pose_old[t->obstacle], y, normal);
+    return body_shape_distance(&c->scene->obstacles[t->obstacle], &c->pose_old[t->obstacle],
+                               y, normal);
 }
 
 /* Replaces the normal of a touch with a body by the mean one of the part of the step in
@@ -354,19 +354,19 @@ static double distance_met(const struct contact *c, int sample, int obstacle,
     if (!isfinite(c->dt))
         return D;
     contact_surface_at(&c->surface, sample, c->x_old, old);
-    contact_shape_carry(&c->pose_old[obstacle], pose, old, from);
+    body_shape_carry(&c->pose_old[obstacle], pose, old, from);
     vector_between(from, y, way);
     const double length = vector_length(way);
     if (!(D <= length))
         return D;
-    double left = contact_shape_distance(o, pose, from, entry);
-    if (!(left > 0) || left + contact_shape_distance(o, pose, y, far) > length)
+    double left = body_shape_distance(o, pose, from, entry);
+    if (!(left > 0) || left + body_shape_distance(o, pose, y, far) > length)
         return D;
     for (int n = 0; n < TRIES && left > reached && passed < length; n++) {
         passed += left;
         for (int i = 0; i < 3; i++)
             at[i] = from[i] + way[i] * passed / length;
-        left = contact_shape_distance(o, pose, at, entry);
+        left = body_shape_distance(o, pose, at, entry);
     }
     if (passed <= 0 || passed > length || left > reached || vector_dot(entry, far) >= 0)
         return D;
@@ -522,8 +522,8 @@ static void press(struct contact *c, struct contact_touch *t, const double *x)
 static double body_distance(const struct contact *c, int obstacle, const double y[3],
                             double normal[3])
 {
-    return contact_shape_near(&c->scene->obstacles[obstacle], &c->pose[obstacle], y,
-                              c->body.start + fmax(c->least, 0), normal);
+    return body_shape_near(&c->scene->obstacles[obstacle], &c->pose[obstacle], y,
+                           c->body.start + fmax(c->least, 0), normal);
 }
 
 /* Returns a touch's distance at x, along the normal that it had where it was found. */
@@ -743,7 +743,7 @@ static double distance_over(void *self, double share, double *slope)
 
     for (int i = 0; i < 3; i++)
         end[i] = a->y[i] + share * a->d[i];
-    double D = contact_shape_distance(o, &a->c->pose[a->obstacle], end, normal);
+    double D = body_shape_distance(o, &a->c->pose[a->obstacle], end, normal);
     if (share == 0 && !is_still(o)) /* what a body came over may come back */
         D = distance_met(a->c, a->sample, a->obstacle, end, D, normal);
     *slope = vector_dot(normal, a->d);
@@ -759,8 +759,8 @@ static double limit_sample(const struct contact *c, int sample, int obstacle,
     const double enough = c->body.start + share * vector_length(d);
     double normal[3];
 
-    if (contact_shape_near(&c->scene->obstacles[obstacle], &c->pose[obstacle], y, enough,
-                           normal) >= enough)
+    if (body_shape_near(&c->scene->obstacles[obstacle], &c->pose[obstacle], y, enough,
+                        normal) >= enough)
         return share;
     return contact_limit_share(&a, distance_over, c->body.range, share);
 }
@@ -1081,7 +1081,7 @@ static enum status meet_body(struct contact *c, int obstacle, int count,
     for (int n = 0; n < count; n++) {
         double y[3], normal[3], *spare = &c->spare[4 * (size_t)c->near[n] + 3];
         contact_surface_at(&c->surface, c->near[n], x, y);
-        double D = contact_shape_distance(body, &c->pose[obstacle], y, normal);
+        double D = body_shape_distance(body, &c->pose[obstacle], y, normal);
         if (isnan(D))
             return STATUS_NAN;
         D = distance_met(c, c->near[n], obstacle, y, D, normal);

@@ -18,7 +18,7 @@
 #include "models/contact/contact_law.h"
 #include "models/contact/contact_rim.h"
 #include "models/contact/contact_search.h"
-#include "models/contact/contact_shape.h"
+#include "models/bodies/body_shape.h"
 #include "models/contact/contact_surface.h"
 #include "models/contact/contact_thin.h"
 #include "models/model.h"

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "models/contact/contact_shape.h"
+#include "models/bodies/body_shape.h"
 #include "models/vector.h"
 
 /* Most sweeps; a sample that is this deep, in lengths of the sheet, is so by rounding. */
@@ -76,13 +76,13 @@ static double put(const struct contact_outside *o, const struct meeting *m,
     double y[3], before[3], n[3], r[3];
 
     contact_surface_at(s, sample, m->x, y);
-    const double D = contact_shape_near(m->body, &m->pose, y, 0, n);
+    const double D = body_shape_near(m->body, &m->pose, y, 0, n);
     *moved = 0;
     if (!(D < 0))
         return 0;
     for (int i = 0; i < 3; i++)
         y[i] -= D * n[i]; /* where it comes to lie */
-    contact_shape_carry(&m->pose, &m->pose_old, y, before);
+    body_shape_carry(&m->pose, &m->pose_old, y, before);
     const double drift = vector_dot(y, n) - vector_dot(before, n);
     *moved = lead(o, s, sample, m->held, -D, n, m->x);
     for (int k = 0; k < CONTACT_OUTSIDE_RATES; k++) {

@@ -2,7 +2,7 @@
  * surfaces. Model-free.
  *
  * A sample lies on a face of the sheet, x_s = sum w_a x_a. It is inside a body where its
- * distance D from the body (contact_shape.h) is negative. What moves then are the columns
+ * distance D from the body (body_shape.h) is negative. What moves then are the columns
  * of nodes across the thickness, each as a whole: a step leads both faces of a thin sheet
  * into what stops it, and each put on the surface by itself they would leave no sheet
  * between them. With the weight W_c = sum w_a of a column, the least change of the columns,

@@ -6,7 +6,7 @@
 #include "models/contact/contact.h"
 #include "models/contact/contact_foot.h"
 #include "models/contact/contact_law.h"
-#include "models/contact/contact_shape.h"
+#include "models/bodies/body_shape.h"
 #include "models/pattern.h"
 #include "models/vector.h"
 
@@ -65,7 +65,7 @@ struct least {
 static double try_point(struct least *l, double u, double v, const double x[3], double most)
 {
     const struct scene *scene = l->scene;
-    const double distance = contact_shape_near(l->obstacle, &l->pose, x, most, NULL);
+    const double distance = body_shape_near(l->obstacle, &l->pose, x, most, NULL);
 
     if (distance < l->distance &&
         (!scene->pattern ||
@@ -135,7 +135,7 @@ static double depth_of_sheet(const struct scene *scene, const struct scene_obsta
     if ((o->kind == OBSTACLE_PLANE || o->kind == OBSTACLE_SPHERE) &&
         !o->motion.turn_count && !scene->pattern) {
         nearest_point(scene, o, l.pose.shift, l.place);
-        l.distance = contact_shape_distance(o, &l.pose, l.place, NULL);
+        l.distance = body_shape_distance(o, &l.pose, l.place, NULL);
     } else {
         search_corners(&l);
         if (scene_starts_flat(scene) || !scene->pattern)

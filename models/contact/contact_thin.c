@@ -6,7 +6,7 @@
 
 #include "models/contact/contact_foot.h"
 #include "models/contact/contact_limit.h"
-#include "models/contact/contact_mesh.h"
+#include "models/bodies/body_mesh.h"
 #include "models/room.h"
 #include "models/vector.h"
 
@@ -102,7 +102,7 @@ static bool is_thin(const struct contact_thin *t, const struct obstacle_mesh *me
         return true;
     for (int i = 0; i < 3; i++)
         inside[i] = at[i] - t->spacing * normal[i] / size;
-    return contact_mesh_distance(mesh, inside, INFINITY, NULL) > -THICK * t->spacing;
+    return body_mesh_distance(mesh, inside, INFINITY, NULL) > -THICK * t->spacing;
 }
 
 static enum status add_mesh(struct contact_thin *t, int obstacle)
@@ -113,7 +113,7 @@ static enum status add_mesh(struct contact_thin *t, int obstacle)
 
     if (!mesh)
         return STATUS_OK;
-    const struct contact_mesh_view view = contact_mesh_view(mesh);
+    const struct body_mesh_view view = body_mesh_view(mesh);
     TRY(room_cut((void **)&thin, ROOM(thin, view.vertices), ROOM(seen, view.vertices)));
     for (int n = 0; n < 3 * view.triangles; n++) {
         const int vertex = view.triangle[n / 3][n % 3];
@@ -129,7 +129,7 @@ static enum status add_mesh(struct contact_thin *t, int obstacle)
         const int *corner = view.triangle[n / 3], a = corner[n % 3],
                   b = corner[(n + 1) % 3];
         double middle[3], normal[3];
-        if (!thin[a] || !thin[b] || !contact_mesh_edge(mesh, n, normal))
+        if (!thin[a] || !thin[b] || !body_mesh_edge(mesh, n, normal))
             continue;
         for (int i = 0; i < 3; i++)
             middle[i] = (view.vertex[a][i] + view.vertex[b][i]) / 2;

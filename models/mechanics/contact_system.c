@@ -30,8 +30,8 @@ static void add_turning(const struct contact *c, const struct contact_touch *t,
         for (int side = 0; side < 2; side++) {
             double z[3] = {y[0], y[1], y[2]};
             z[j] += side ? reach : -reach;
-            contact_shape_distance(&c->scene->obstacles[t->obstacle], &c->pose[t->obstacle],
-                                   z, n[side]);
+            body_shape_distance(&c->scene->obstacles[t->obstacle], &c->pose[t->obstacle], z,
+                                n[side]);
         }
         for (int i = 0; i < 3; i++)
             B[3 * i + j] -= t->push * (n[1][i] - n[0][i]) / (2 * reach);

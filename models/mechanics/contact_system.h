@@ -4,7 +4,7 @@
 
 #include "models/contact/contact.h"
 #include "models/linalg/blocks.h"
-#include "models/mechanics/supports.h"
+#include "models/supports.h"
 
 /* Adds the stiffness of the touches of the last contact_find to K[pairs]: of the pressure
  * along the normals and of friction across them; with x NULL without the normals' turning,

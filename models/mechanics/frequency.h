@@ -5,7 +5,7 @@
 #define FREQUENCY_H
 
 #include "models/linalg/blocks.h"
-#include "models/mechanics/supports.h"
+#include "models/supports.h"
 
 /* The most explicit steps of a frame. */
 enum { FREQUENCY_MOST_STEPS = 1000000 };

@@ -12,7 +12,7 @@
 
 #include "models/linalg/blocks.h"
 #include "models/linalg/factor.h"
-#include "models/mechanics/supports.h"
+#include "models/supports.h"
 
 struct iterative;
 

@@ -4,7 +4,7 @@
 #define PENCIL_H
 
 #include "models/linalg/blocks.h"
-#include "models/mechanics/supports.h"
+#include "models/supports.h"
 #include "models/model.h"
 
 struct pencil {

@@ -8,7 +8,7 @@
 #ifndef REACTION_H
 #define REACTION_H
 
-#include "models/mechanics/supports.h"
+#include "models/supports.h"
 
 /* Adds `share` of the force [N] and the moment about the origin [N m] that each support
  * exerts to support[][6]: minus left[nodes][3] at the held components, taken at

@@ -8,7 +8,7 @@
 #include "models/linalg/blocks.h"
 #include "models/linalg/factor.h"
 #include "models/mechanics/iterative.h"
-#include "models/mechanics/supports.h"
+#include "models/supports.h"
 #include "models/model.h"
 
 struct system {

@@ -21,7 +21,7 @@
 
 #include "models/contact/contact_surface.h"
 #include "models/discretization.h"
-#include "models/mechanics/supports.h"
+#include "models/supports.h"
 #include "models/mesh_flat.h"
 
 struct mesh {

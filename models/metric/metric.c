@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "models/contact/contact_shape.h"
+#include "models/bodies/body_shape.h"
 #include "models/grid.h"
 #include "models/metric/intersection.h"
 #include "models/metric/metric_rest.h"
@@ -351,7 +351,7 @@ double metric_unevenness(const struct scene *scene, const double *xyz)
 
 double metric_penetration(const struct scene *scene, double t, const double *xyz)
 {
-    double gap = contact_shape_least_gap(scene, t, GRID_POINTS, xyz);
+    double gap = body_shape_least_gap(scene, t, GRID_POINTS, xyz);
 
     return isnan(gap) ? NAN : fmax(0, -gap);
 }

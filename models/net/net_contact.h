@@ -5,7 +5,7 @@
 #define NET_CONTACT_H
 
 #include "models/contact/contact.h"
-#include "models/mechanics/supports.h"
+#include "models/supports.h"
 #include "models/mesh/mesh.h"
 
 struct net_contact {

@@ -56,20 +56,20 @@ enum status mesh_file_read(const char *path, const double at[3], double scale,
 
     *mesh = NULL;
     TRY(obj_file_read(path, &o, why));
-    if (o.vertices > CONTACT_MESH_MOST_VERTICES || o.corners / 3 > CONTACT_MESH_MOST)
+    if (o.vertices > BODY_MESH_MOST_VERTICES || o.corners / 3 > BODY_MESH_MOST)
         TRY(yaml_tree_refuse(&whole, why,
                              "has %d vertices and %d triangles; %d and %d at most would "
                              "be right",
-                             o.vertices, o.corners / 3, CONTACT_MESH_MOST_VERTICES,
-                             CONTACT_MESH_MOST));
+                             o.vertices, o.corners / 3, BODY_MESH_MOST_VERTICES,
+                             BODY_MESH_MOST));
     xyz = malloc(((size_t)o.vertices + 1) * sizeof *xyz);
     triangle = malloc(((size_t)o.corners / 3 + 1) * sizeof *triangle);
     TRY(xyz && triangle ? STATUS_OK : STATUS_MEMORY);
     TRY(place(&o, path, at, scale, xyz, why));
     for (int n = 0; n < o.corners; n++)
         triangle[n / 3][n % 3] = o.corner[n].v;
-    st = contact_mesh_make(o.vertices, (const double(*)[3])xyz, o.corners / 3,
-                           (const int(*)[3])triangle, mesh, &inner);
+    st = body_mesh_make(o.vertices, (const double(*)[3])xyz, o.corners / 3,
+                        (const int(*)[3])triangle, mesh, &inner);
     if (st == STATUS_INPUT)
         yaml_tree_refuse(&whole, why, "%s", inner.text);
 out:

@@ -2,7 +2,7 @@
 #ifndef MESH_FILE_H
 #define MESH_FILE_H
 
-#include "models/contact/contact_mesh.h"
+#include "models/bodies/body_mesh.h"
 #include "models/reader/yaml_tree.h"
 
 enum { MESH_FILE_PATH = 4096 };

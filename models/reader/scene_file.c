@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "models/contact/contact_mesh.h"
+#include "models/bodies/body_mesh.h"
 #include "models/pattern.h"
 #include "models/reader/input_file.h"
 #include "models/reader/scene_schema.h"
@@ -61,7 +61,7 @@ static enum status annotate(const char *text, size_t size, int setting_count,
     for (int n = 0; n < scene->obstacle_count; n++)
         if (scene->obstacles[n].mesh)
             fprintf(out, "# mesh %s, sum %016llx\n", scene->obstacles[n].file,
-                    (unsigned long long)contact_mesh_view(scene->obstacles[n].mesh).mark);
+                    (unsigned long long)body_mesh_view(scene->obstacles[n].mesh).mark);
     if (scene->pattern_file && scene->pattern)
         fprintf(out, "# mesh %s, sum %016llx\n", scene->pattern_file,
                 pattern_sum(scene->pattern));

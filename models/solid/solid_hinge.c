@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "models/mechanics/supports.h"
+#include "models/supports.h"
 #include "models/room.h"
 
 /* Returns m of a column of nodes. */

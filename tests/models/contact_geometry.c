@@ -1,6 +1,6 @@
 /* Distances and normals of bodies, and their poses. */
 #include "models/contact/contact_rest.h"
-#include "models/contact/contact_shape.h"
+#include "models/bodies/body_shape.h"
 
 #include <math.h>
 #include <string.h>
@@ -74,26 +74,26 @@ static void check_distance(const struct scene_obstacle *o,
                            const struct scene_placement *pose, const double x[3])
 {
     double n[3], foot[3], step = 1e-5;
-    const double distance = contact_shape_distance(o, pose, x, n);
+    const double distance = body_shape_distance(o, pose, x, n);
 
     CHECK_NEAR(n[0] * n[0] + n[1] * n[1] + n[2] * n[2], 1, rounding);
     for (int i = 0; i < 3; i++) {
         double ahead[3] = {x[0], x[1], x[2]}, behind[3] = {x[0], x[1], x[2]};
         ahead[i] += step;
         behind[i] -= step;
-        double slope_i = (contact_shape_distance(o, pose, ahead, NULL) -
-                          contact_shape_distance(o, pose, behind, NULL));
+        double slope_i = (body_shape_distance(o, pose, ahead, NULL) -
+                          body_shape_distance(o, pose, behind, NULL));
         CHECK_NEAR(slope_i / (2 * step), n[i], difference);
         foot[i] = x[i] - distance * n[i];
     }
-    CHECK_NEAR(contact_shape_distance(o, pose, foot, NULL), 0, 8 * rounding);
-    CHECK(contact_shape_near(o, pose, x, distance + step, NULL) == distance);
-    CHECK(contact_shape_near(o, pose, x, distance - step, NULL) >= distance - step);
+    CHECK_NEAR(body_shape_distance(o, pose, foot, NULL), 0, 8 * rounding);
+    CHECK(body_shape_near(o, pose, x, distance + step, NULL) == distance);
+    CHECK(body_shape_near(o, pose, x, distance - step, NULL) >= distance - step);
     for (int c = 0; c < 27; c++) {
         double s[3] = {0.4 * (c % 3 - 1), 0.4 * (c / 3 % 3 - 1), 0.4 * (c / 9 - 1)};
         double y[3] = {x[0] + s[0], x[1] + s[1], x[2] + s[2]};
         double tangent = distance + n[0] * s[0] + n[1] * s[1] + n[2] * s[2];
-        CHECK(contact_shape_distance(o, pose, y, NULL) >= tangent - 8 * rounding);
+        CHECK(body_shape_distance(o, pose, y, NULL) >= tangent - 8 * rounding);
     }
 }
 
@@ -102,11 +102,11 @@ static bool is_smooth(const struct scene_obstacle *o, const double x[3])
 {
     double n[3], m[3], y[3], most = 0;
 
-    contact_shape_distance(o, NULL, x, n);
+    body_shape_distance(o, NULL, x, n);
     for (int i = 0; i < 3; i++) {
         memcpy(y, x, sizeof y);
         y[i] += 1e-4;
-        contact_shape_distance(o, NULL, y, m);
+        body_shape_distance(o, NULL, y, m);
         for (int k = 0; k < 3; k++)
             most = fmax(most, fabs(m[k] - n[k]));
     }
@@ -128,8 +128,8 @@ static void check_shapes(void)
             scene_motion_at(&o.motion, 4, &pose);
             move_point(x, y);
             check_distance(&o, &pose, y);
-            inside += contact_shape_distance(&o, NULL, x, NULL) < 0;
-            outside += contact_shape_distance(&o, NULL, x, NULL) > 0;
+            inside += body_shape_distance(&o, NULL, x, NULL) < 0;
+            outside += body_shape_distance(&o, NULL, x, NULL) > 0;
         }
         CHECK(inside > 3 && (outside > 50 || k == 0));
     }
@@ -154,18 +154,18 @@ static void check_pose(void)
             double x[3];
             near_body(c, x);
             move_point(x, y);
-            CHECK_NEAR(contact_shape_distance(&o, &pose, y, n),
-                       contact_shape_distance(&other, NULL, y, m), 8 * rounding);
+            CHECK_NEAR(body_shape_distance(&o, &pose, y, n),
+                       body_shape_distance(&other, NULL, y, m), 8 * rounding);
             for (int i = 0; i < 3 && is_smooth(&o, x); i++)
                 CHECK_NEAR(n[i], m[i], 8 * rounding);
-            CHECK(contact_shape_distance(&o, &early, x, NULL) ==
-                  contact_shape_distance(&o, NULL, x, NULL));
-            contact_shape_carry(&pose, &early, y, back);
+            CHECK(body_shape_distance(&o, &early, x, NULL) ==
+                  body_shape_distance(&o, NULL, x, NULL));
+            body_shape_carry(&pose, &early, y, back);
             for (int i = 0; i < 3; i++)
                 CHECK_NEAR(back[i], x[i], 8 * rounding);
-            contact_shape_carry(&early, &middle, x, back);
-            CHECK_NEAR(contact_shape_distance(&o, &middle, back, NULL),
-                       contact_shape_distance(&o, NULL, x, NULL), 8 * rounding);
+            body_shape_carry(&early, &middle, x, back);
+            CHECK_NEAR(body_shape_distance(&o, &middle, back, NULL),
+                       body_shape_distance(&o, NULL, x, NULL), 8 * rounding);
         }
     }
 }
@@ -177,19 +177,18 @@ static void check_least(void)
     double x[3][3] = {{1, 2, 4}, {1, 0, 0}, {5, 5, 5}};
 
     REQUIRE(scene_init(&scene) == STATUS_OK);
-    CHECK(contact_shape_least_gap(&scene, 0, 3, x[0]) == INFINITY);
+    CHECK(body_shape_least_gap(&scene, 0, 3, x[0]) == INFINITY);
     REQUIRE(scene_add_obstacle(&scene, slope) == STATUS_OK);
-    CHECK_NEAR(contact_shape_least_gap(&scene, 0, 1, x[0]), 0.8, rounding);
-    CHECK_NEAR(contact_shape_least_gap(&scene, 0, 3, x[0]), -3.6,
-               4 * rounding); /* (1,0,0) */
+    CHECK_NEAR(body_shape_least_gap(&scene, 0, 1, x[0]), 0.8, rounding);
+    CHECK_NEAR(body_shape_least_gap(&scene, 0, 3, x[0]), -3.6, 4 * rounding); /* (1,0,0) */
     REQUIRE(scene_add_obstacle(&scene, ball) == STATUS_OK);
-    CHECK_NEAR(contact_shape_least_gap(&scene, 0, 1, x[1]), -3.6, 4 * rounding);
-    CHECK(contact_shape_least_gap(&scene, 0, 0, x[0]) == INFINITY);
+    CHECK_NEAR(body_shape_least_gap(&scene, 0, 1, x[1]), -3.6, 4 * rounding);
+    CHECK(body_shape_least_gap(&scene, 0, 0, x[0]) == INFINITY);
     lift.motion.turn_count = 0;
     REQUIRE(scene_add_obstacle(&scene, &lift) == STATUS_OK);
-    CHECK_NEAR(contact_shape_least_gap(&scene, 3, 1, x[0]), 0.8 - 1.5 * 0.8, 4 * rounding);
+    CHECK_NEAR(body_shape_least_gap(&scene, 3, 1, x[0]), 0.8 - 1.5 * 0.8, 4 * rounding);
     x[2][1] = NAN;
-    CHECK(isnan(contact_shape_least_gap(&scene, 0, 3, x[0])));
+    CHECK(isnan(body_shape_least_gap(&scene, 0, 3, x[0])));
     scene_clear(&scene);
 }
 
@@ -225,7 +224,7 @@ static void check_depth(bool cloak)
             for (int j = 0; j <= N; j++) {
                 double x[3];
                 scene_rest_point(&s, (double[3]){(double)k / N, (double)j / N, 0.5}, x);
-                least = fmin(least, contact_shape_distance(&o, NULL, x, NULL));
+                least = fmin(least, body_shape_distance(&o, NULL, x, NULL));
             }
         const double want = fmax(s.thickness / 2 - least, 0);
         const double depth = contact_rest_depth(&s, &o);
@@ -261,18 +260,17 @@ static void check_values(void)
     double n[3];
 
     for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
-        const double distance =
-            contact_shape_distance(&body[row[k].body], NULL, row[k].x, n);
+        const double distance = body_shape_distance(&body[row[k].body], NULL, row[k].x, n);
         CHECK_NEAR(distance, row[k].distance, 2 * rounding);
         for (int i = 0; i < 3; i++)
             CHECK_NEAR(n[i], row[k].normal[i], 2 * rounding);
     }
     /* on a capsule's axis: across it */
-    CHECK_NEAR(contact_shape_distance(&body[2], NULL, (double[3]){0.5, 0.25, -0.5}, n),
-               -0.3, rounding);
+    CHECK_NEAR(body_shape_distance(&body[2], NULL, (double[3]){0.5, 0.25, -0.5}, n), -0.3,
+               rounding);
     CHECK_NEAR(n[0] + 0.5 * n[1] + n[2], 0, rounding);
     for (int k = 0; k < BODIES; k++)
-        CHECK(isnan(contact_shape_distance(&body[k], NULL, (double[3]){0, NAN, 0}, n)));
+        CHECK(isnan(body_shape_distance(&body[k], NULL, (double[3]){0, NAN, 0}, n)));
 }
 
 int main(void)

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "models/contact/contact_shape.h"
+#include "models/bodies/body_shape.h"
 #include "models/vector.h"
 #include "tests/check.h"
 
@@ -147,7 +147,7 @@ static double distance(int face, int sample, int body, double n[3])
     double y[3];
 
     contact_surface_at(&f.outside.face[face], sample, &f.x[0][0], y);
-    return contact_shape_distance(o, pose_at(o, TIME + DT), y, n);
+    return body_shape_distance(o, pose_at(o, TIME + DT), y, n);
 }
 
 /* What was inside is on the surface, without speed into it along n relative to `drift`, and

@@ -2,7 +2,7 @@
  * any, force against the energy's gradient, and steps and changes that would carry a
  * feature through. */
 #include "models/contact/contact.h"
-#include "models/contact/contact_mesh.h"
+#include "models/bodies/body_mesh.h"
 #include "models/vector.h"
 #include "tests/check.h"
 
@@ -77,8 +77,8 @@ static struct scene_obstacle cone(int corners, double radius, double height, dou
         }
         memset(vertex[corners], 0, sizeof *vertex);
     }
-    REQUIRE(contact_mesh_make(corners + 1, (const double(*)[3])vertex, count,
-                              (const int(*)[3])triangle, &o.mesh, &why) == STATUS_OK);
+    REQUIRE(body_mesh_make(corners + 1, (const double(*)[3])vertex, count,
+                           (const int(*)[3])triangle, &o.mesh, &why) == STATUS_OK);
     return o;
 }
 

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "models/mechanics/supports.h"
+#include "models/supports.h"
 #include "models/pattern_mesh.h"
 #include "tests/check.h"
 

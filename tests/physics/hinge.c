@@ -6,7 +6,7 @@
 #include <float.h>
 
 #include "models/solid/solid_model.h"
-#include "models/mechanics/supports.h"
+#include "models/supports.h"
 #include "tests/opened_run.h"
 
 enum { MOST = 12, STEPS = 4, LINE = 5 };

@@ -1,7 +1,7 @@
 /* Contact in projective dynamics: where its iterations end is a step of implicit Euler
  * under the scene's law; no node gets through a wall, in whatever variant. (Rest, falls and
  * slides of the variants: contact_truth.c.) */
-#include "models/contact/contact_shape.h"
+#include "models/bodies/body_shape.h"
 #include "models/vector.h"
 #include "tests/pd_fixture.h"
 
@@ -81,7 +81,7 @@ static double clearance(const struct pd_motion *m)
     for (int k = 0; k < m->energy.net.nodes; k++)
         for (int o = 0; o < m->scene->obstacle_count; o++) {
             node_at(m, m->x, k, at);
-            double D = contact_shape_distance(&m->scene->obstacles[o], NULL, at, NULL);
+            double D = body_shape_distance(&m->scene->obstacles[o], NULL, at, NULL);
             if (!m->system.held[k])
                 least = fmin(least, D - law.start + law.range);
         }
@@ -105,8 +105,8 @@ static bool add_law(const struct pd_motion *m, int k, int o, double force[3])
     vector_between(from, at, way);
     const double area = net->du * net->dv * (i && i < net->n - 1 ? 1 : 0.5) *
                         (j && j < net->m - 1 ? 1 : 0.5),
-                 before = contact_shape_distance(body, NULL, from, NULL),
-                 D = contact_shape_distance(body, NULL, at, normal),
+                 before = body_shape_distance(body, NULL, from, NULL),
+                 D = body_shape_distance(body, NULL, at, normal),
                  push = area * contact_law_push(&law, D, before, m->dt, NULL),
                  along = vector_dot(way, normal);
     for (int c = 0; c < 3; c++)

@@ -15,9 +15,9 @@
 #include "fem_ref/kirchhoff.h"
 #include "models/clock.h"
 #include "models/contact/contact_law.h"
-#include "models/contact/contact_mesh.h"
+#include "models/bodies/body_mesh.h"
 #include "models/contact/contact_rest.h"
-#include "models/contact/contact_shape.h"
+#include "models/bodies/body_shape.h"
 #include "models/grid.h"
 #include "models/metric/crossing.h"
 #include "models/metric/metric.h"
@@ -109,8 +109,8 @@ static enum status give_needles(struct scene *s, int count, struct message *why)
         vertex[round + n][2] = -below - height * (n == 1 ? 2 : n / 2);
     }
     memcpy(triangle[2 * round], (int[]){round, round + 1, round + 2}, sizeof *triangle);
-    CALL(contact_mesh_make(round + 3, (const double(*)[3])vertex, 2 * round + (count < 0),
-                           (const int(*)[3])triangle, &body.mesh, why));
+    CALL(body_mesh_make(round + 3, (const double(*)[3])vertex, 2 * round + (count < 0),
+                        (const int(*)[3])triangle, &body.mesh, why));
     CALL(scene_add_obstacle(s, &body));
     return contact_rest_refuse(
         s, &(struct discretization){.kinematics = KINEMATICS_NONLINEAR}, why);
@@ -482,8 +482,8 @@ static double least_gap(const struct judged *r, const double *x)
         const double share = (double)k / TIMES;
         for (int n = 0; n < 3 * U * V; n++)
             between[n] = share < 1 ? before[n] + share * (x[n] - before[n]) : x[n];
-        const double now = contact_shape_least_gap(s, r->time - (1 - share) * s->step,
-                                                   (long)U * V, between);
+        const double now =
+            body_shape_least_gap(s, r->time - (1 - share) * s->step, (long)U * V, between);
         if (!(now >= gap))
             gap = now;
     }

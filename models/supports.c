@@ -1,4 +1,4 @@
-#include "models/mechanics/supports.h"
+#include "models/supports.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-#include "models/contact/contact_mesh.h"
+#include "models/bodies/body_mesh.h"
 
 #include <assert.h>
 #include <stdbool.h>
@@ -293,9 +293,9 @@ static enum status make_neighbours(const struct obstacle_mesh *m, struct message
     return st;
 }
 
-enum status contact_mesh_make(int vertices, const double (*vertex)[3], int triangles,
-                              const int (*triangle)[3], struct obstacle_mesh **mesh,
-                              struct message *why)
+enum status body_mesh_make(int vertices, const double (*vertex)[3], int triangles,
+                           const int (*triangle)[3], struct obstacle_mesh **mesh,
+                           struct message *why)
 {
     enum status st = STATUS_OK;
     struct obstacle_mesh new = {.vertices = vertices, .leaves = 1}, *m;
@@ -326,14 +326,14 @@ out:
     return st;
 }
 
-struct contact_mesh_view contact_mesh_view(const struct obstacle_mesh *mesh)
+struct body_mesh_view body_mesh_view(const struct obstacle_mesh *mesh)
 {
-    struct contact_mesh_view view = {.vertices = mesh->vertices,
-                                     .triangles = mesh->triangles,
-                                     .vertex = (const double(*)[3])mesh->vertex,
-                                     .triangle = (const int(*)[3])mesh->corner,
-                                     .bend = (const double(*)[3])mesh->bend,
-                                     .mark = 14695981039346656037u}; /* FNV-1a, 64 bits */
+    struct body_mesh_view view = {.vertices = mesh->vertices,
+                                  .triangles = mesh->triangles,
+                                  .vertex = (const double(*)[3])mesh->vertex,
+                                  .triangle = (const int(*)[3])mesh->corner,
+                                  .bend = (const double(*)[3])mesh->bend,
+                                  .mark = 14695981039346656037u}; /* FNV-1a, 64 bits */
     const struct {
         const void *bytes;
         size_t count;
@@ -347,7 +347,7 @@ struct contact_mesh_view contact_mesh_view(const struct obstacle_mesh *mesh)
     return view;
 }
 
-bool contact_mesh_edge(const struct obstacle_mesh *mesh, int side, double normal[3])
+bool body_mesh_edge(const struct obstacle_mesh *mesh, int side, double normal[3])
 {
     const int t = side / 3, beside = mesh->beside[t][side % 3];
 
@@ -475,8 +475,8 @@ static void pseudonormal(const struct obstacle_mesh *m, const struct foot *f, do
                                     : m->face[t][i] + m->face[beside][i];
 }
 
-double contact_mesh_distance(const struct obstacle_mesh *mesh, const double x[3],
-                             double most, double normal[3])
+double body_mesh_distance(const struct obstacle_mesh *mesh, const double x[3], double most,
+                          double normal[3])
 {
     struct foot f = {.square = INFINITY, .triangle = -1};
     const double off = sqrt(square_to_box(&mesh->box[0], x));

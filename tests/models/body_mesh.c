@@ -1,7 +1,7 @@
 /* Distances from triangle meshes, and meshes that are refused. */
-#include "models/contact/contact_mesh.h"
+#include "models/bodies/body_mesh.h"
 
-#include "models/contact/contact_shape.h"
+#include "models/bodies/body_shape.h"
 #include "models/reader/mesh_file.h"
 #include "tests/scratch.h"
 
@@ -38,9 +38,9 @@ static struct obstacle_mesh *make(void)
     struct obstacle_mesh *mesh = NULL;
     struct message why = {""};
 
-    if (!CHECK(contact_mesh_make(given.vertices, (const double(*)[3])given.vertex,
-                                 given.triangles, (const int(*)[3])given.triangle, &mesh,
-                                 &why) == STATUS_OK))
+    if (!CHECK(body_mesh_make(given.vertices, (const double(*)[3])given.vertex,
+                              given.triangles, (const int(*)[3])given.triangle, &mesh,
+                              &why) == STATUS_OK))
         printf("  %s\n", why.text);
     return mesh;
 }
@@ -160,7 +160,7 @@ static double check_point(const struct obstacle_mesh *mesh, const double x[3], b
     const struct scene_obstacle body = {.kind = OBSTACLE_MESH,
                                         .mesh = (struct obstacle_mesh *)mesh};
     double normal[3], foot[3], ahead[3], behind[3];
-    const double d = contact_shape_distance(&body, NULL, x, normal);
+    const double d = body_shape_distance(&body, NULL, x, normal);
 
     CHECK(d < 0 ? winding(x) > 0.5 : winding(x) < 0.5);
     CHECK_NEAR(fabs(d), brute(x), halvings);
@@ -169,13 +169,13 @@ static double check_point(const struct obstacle_mesh *mesh, const double x[3], b
         foot[i] = x[i] - d * normal[i];
         ahead[i] = x[i] + 1e-5 * normal[i], behind[i] = x[i] - 1e-5 * normal[i];
     }
-    CHECK_NEAR(contact_mesh_distance(mesh, foot, INFINITY, NULL), 0, rounding);
-    CHECK(contact_shape_near(&body, NULL, x, d + 1e-3, NULL) == d);
-    const double least = contact_mesh_distance(mesh, x, d - 1e-3, NULL);
+    CHECK_NEAR(body_mesh_distance(mesh, foot, INFINITY, NULL), 0, rounding);
+    CHECK(body_shape_near(&body, NULL, x, d + 1e-3, NULL) == d);
+    const double least = body_mesh_distance(mesh, x, d - 1e-3, NULL);
     CHECK(least >= d - 1e-3 && least <= d + rounding);
     if (smooth && fabs(d) > 1e-4)
-        CHECK_NEAR((contact_mesh_distance(mesh, ahead, INFINITY, NULL) -
-                    contact_mesh_distance(mesh, behind, INFINITY, NULL)) /
+        CHECK_NEAR((body_mesh_distance(mesh, ahead, INFINITY, NULL) -
+                    body_mesh_distance(mesh, behind, INFINITY, NULL)) /
                        2e-5,
                    1, difference);
     return d;
@@ -201,7 +201,7 @@ static void check_spikes(void)
             inside += check_point(mesh, x, n % 2) < 0; /* ridges are rare */
         }
         CHECK(inside > 10 && inside < 350);
-        CHECK(isnan(contact_mesh_distance(mesh, (double[3]){0, NAN, 0}, 1, NULL)));
+        CHECK(isnan(body_mesh_distance(mesh, (double[3]){0, NAN, 0}, 1, NULL)));
         free(mesh);
     }
 }
@@ -225,10 +225,10 @@ static void check_ball(void)
             double x[3];
             for (int i = 0; i < 3; i++)
                 x[i] = 1.5 * noise(3 * n + i);
-            const double d = contact_mesh_distance(mesh, x, INFINITY, NULL);
+            const double d = body_mesh_distance(mesh, x, INFINITY, NULL);
             const double out = (flip ? -1 : 1) * d - (sqrt(dot(x, x)) - 1);
             CHECK(out > -rounding && out < 2 * depth);
-            const double near = contact_mesh_distance(mesh, x, 0.1, NULL);
+            const double near = body_mesh_distance(mesh, x, 0.1, NULL);
             CHECK(d < 0.1 ? near == d : near >= 0.1 && near <= d + rounding);
             early += near != d;
         }
@@ -256,10 +256,10 @@ static void check_open(void)
     add_triangle(2, 2, 3); /* left out */
     struct obstacle_mesh *mesh = make();
     REQUIRE(mesh);
-    CHECK(contact_mesh_view(mesh).triangles == 2);
+    CHECK(body_mesh_view(mesh).triangles == 2);
     for (size_t k = 0; k < sizeof row / sizeof *row; k++)
         for (int near = 0; near < 2; near++)
-            CHECK_NEAR(contact_mesh_distance(mesh, row[k].x, near ? 0 : INFINITY, NULL),
+            CHECK_NEAR(body_mesh_distance(mesh, row[k].x, near ? 0 : INFINITY, NULL),
                        row[k].distance, rounding);
     free(mesh);
 }
@@ -308,7 +308,7 @@ static void check_files(void)
                         : st == STATUS_OK && mesh))
             printf("  file %zu: status %d, '%s'\n", k, st, why.text);
         if (mesh) /* scaled, then moved; the face's corner is where it was 1 0 0 */
-            CHECK_NEAR(contact_mesh_distance(mesh, (double[3]){3.5, 2, 3}, 9, NULL), 0.5,
+            CHECK_NEAR(body_mesh_distance(mesh, (double[3]){3.5, 2, 3}, 9, NULL), 0.5,
                        rounding);
         free(mesh);
     }

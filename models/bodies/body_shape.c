@@ -1,13 +1,13 @@
-#include "models/contact/contact_shape.h"
+#include "models/bodies/body_shape.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "models/contact/contact_mesh.h"
+#include "models/bodies/body_mesh.h"
 #include "models/vector.h"
 
-void contact_shape_carry(const struct scene_placement *to,
-                         const struct scene_placement *from, const double x[3], double y[3])
+void body_shape_carry(const struct scene_placement *to, const struct scene_placement *from,
+                      const double x[3], double y[3])
 {
     double X[3];
 
@@ -106,13 +106,12 @@ static double from_mesh(const struct scene_obstacle *o, const double x[3], doubl
                         double normal[3])
 {
     if (o->mesh)
-        return contact_mesh_distance(o->mesh, x, most, normal);
+        return body_mesh_distance(o->mesh, x, most, normal);
     return isnan(vector_dot(x, x)) ? NAN : INFINITY;
 }
 
-double contact_shape_near(const struct scene_obstacle *o,
-                          const struct scene_placement *pose, const double x[3],
-                          double most, double normal[3])
+double body_shape_near(const struct scene_obstacle *o, const struct scene_placement *pose,
+                       const double x[3], double most, double normal[3])
 {
     double X[3] = {x[0], x[1], x[2]}, n[3] = {0, 0, 1}, distance = NAN;
 
@@ -144,15 +143,15 @@ double contact_shape_near(const struct scene_obstacle *o,
     return distance;
 }
 
-double contact_shape_distance(const struct scene_obstacle *o,
-                              const struct scene_placement *pose, const double x[3],
-                              double normal[3])
+double body_shape_distance(const struct scene_obstacle *o,
+                           const struct scene_placement *pose, const double x[3],
+                           double normal[3])
 {
-    return contact_shape_near(o, pose, x, INFINITY, normal);
+    return body_shape_near(o, pose, x, INFINITY, normal);
 }
 
-double contact_shape_least_gap(const struct scene *scene, double t, long count,
-                               const double *x)
+double body_shape_least_gap(const struct scene *scene, double t, long count,
+                            const double *x)
 {
     double least = INFINITY;
 
@@ -161,7 +160,7 @@ double contact_shape_least_gap(const struct scene *scene, double t, long count,
         scene_motion_at(&scene->obstacles[o].motion, t, &pose);
         for (long n = 0; n < count; n++) {
             double gap =
-                contact_shape_near(&scene->obstacles[o], &pose, x + 3 * n, least, NULL);
+                body_shape_near(&scene->obstacles[o], &pose, x + 3 * n, least, NULL);
             if (isnan(gap) && scene->pattern)
                 continue;
             if (isnan(gap))

@@ -1,4 +1,4 @@
-/* contact_mesh.h - bodies of triangles, and the signed distance from them.
+/* body_mesh.h - bodies of triangles, and the signed distance from them.
  *
  * A tree of boxes over the triangles finds the nearest one. The sign is that of the
  * pseudonormal of the face, edge or vertex that has the nearest point: a face's own normal,
@@ -8,8 +8,8 @@
  * has a back only where the nearest point is not on its rim: the distance from a rim is
  * positive, and jumps behind it.
  */
-#ifndef CONTACT_MESH_H
-#define CONTACT_MESH_H
+#ifndef BODY_MESH_H
+#define BODY_MESH_H
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -19,7 +19,7 @@
 struct obstacle_mesh;
 
 /* The most triangles, and vertices, of a mesh. */
-enum { CONTACT_MESH_MOST = 1000000, CONTACT_MESH_MOST_VERTICES = 3000000 };
+enum { BODY_MESH_MOST = 1000000, BODY_MESH_MOST_VERTICES = 3000000 };
 
 /* Makes a mesh of finite vertex[vertices][3] [m] and triangle[triangles][3], whose corners
  * are numbered from 0 and go round counter-clockwise seen from outside; both are copied.
@@ -27,29 +27,29 @@ enum { CONTACT_MESH_MOST = 1000000, CONTACT_MESH_MOST_VERTICES = 3000000 };
  * left out. *mesh is freed by the receiver with free, NULL on failure.
  * STATUS_INPUT with a sentence: no triangle is left, corners on a line, an edge at which
  * more than two triangles meet or two that face opposite ways. STATUS_MEMORY. */
-enum status contact_mesh_make(int vertices, const double (*vertex)[3], int triangles,
-                              const int (*triangle)[3], struct obstacle_mesh **mesh,
-                              struct message *why);
+enum status body_mesh_make(int vertices, const double (*vertex)[3], int triangles,
+                           const int (*triangle)[3], struct obstacle_mesh **mesh,
+                           struct message *why);
 
 /* Returns the signed distance of x [m] if it is less than `most` [m], else some number from
  * `most` up to the distance: found without a search where x is off the box of a closed mesh
  * that faces outwards by as much. *normal is the distance's gradient, of length 1, and only
  * set in the first case. NaN if x is. */
-double contact_mesh_distance(const struct obstacle_mesh *mesh, const double x[3],
-                             double most, double normal[3]);
+double body_mesh_distance(const struct obstacle_mesh *mesh, const double x[3], double most,
+                          double normal[3]);
 
 /* The mesh as it was made; arrays are the mesh's. */
-struct contact_mesh_view {
+struct body_mesh_view {
     int vertices, triangles;
     const double (*vertex)[3]; /* [vertices]                                    [m]   */
     const int (*triangle)[3];  /* [triangles]                                          */
     const double (*bend)[3];   /* [vertices] along their pseudonormals; 0 on a rim     */
     uint64_t mark;             /* a number made from all of these                      */
 };
-struct contact_mesh_view contact_mesh_view(const struct obstacle_mesh *mesh);
+struct body_mesh_view body_mesh_view(const struct obstacle_mesh *mesh);
 
 /* Computes a vector along the pseudonormal of the edge from corner side % 3 of the triangle
  * side / 3 to the next, 0 on a rim; false: the edge is told by its other triangle. */
-bool contact_mesh_edge(const struct obstacle_mesh *mesh, int side, double normal[3]);
+bool body_mesh_edge(const struct obstacle_mesh *mesh, int side, double normal[3]);
 
 #endif

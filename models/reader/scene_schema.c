@@ -660,7 +660,8 @@ static enum status check_obstacles(const struct yaml_tree *root, bool files,
             TRY(load_mesh(root, yaml_tree_find(node, "mesh"), files, o, why));
         TRY(check_friction(yaml_tree_find(node, scene_schema_obstacles[o->kind].key),
                            o->friction, scene, why));
-        const double depth = contact_rest_depth(scene, o);
+        const bool known = files || !scene->pattern_file; /* where the sheet is */
+        const double depth = known ? contact_rest_depth(scene, o) : 0;
         if (depth > 0)
             return yaml_tree_refuse(
                 node, why, CONTACT_REST_DEPTH ", but must stay clear of it", depth, n);

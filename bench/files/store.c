@@ -311,10 +311,18 @@ enum status store_frame(struct store *s, double t, const double *xyz,
     return STATUS_OK;
 }
 
-enum status store_surface(struct store *s, int points, const double *uv, int count,
-                          const int (*triangle)[3], struct message *why)
+enum status store_surface(struct store *s, int points, const double *uv,
+                          const double (*start)[3], int count, const int (*triangle)[3],
+                          struct message *why)
 {
     s->surface = (struct xdmf_surface){points, count};
+    if (start)
+        CALL(
+            written(s,
+                    hdf5_file_put_array(s->file, "surface/start",
+                                        (struct hdf5_file_meaning){"m", "point, component"},
+                                        start[0], points, 3) >= 0,
+                    why));
     return written(s,
                    hdf5_file_put_whole(s->file, "surface/triangle",
                                        (struct hdf5_file_meaning){"1", "triangle, corner"},

@@ -27,15 +27,16 @@
  *                     vertices or a group of the sheet's mesh
  *   surface/triangle  [T][3]                       int, of a sheet that is no rectangle:
  *                     triangles of its mid-surface, for pictures, with their points' places
- *   surface/uv        [N][2]                       double [1] on the sheet, and in space,
- *   surface/0, surface/1, ...  [N][3]              double [m], at xyz_time[0], xyz_time[1]
- *   energy/kinetic, energy/elastic, energy/potential   [F]   double [J], NaN if not known
- *   counters/steps, ...                            [F]   work done up to the frame
- *   forces/support_0, ..., forces/obstacle_0, ...  [F][3]   double [N], what the scene's
- *                     supports and obstacles exert on the sheet (model.h), NaN if not
- * known; moments/support_0, ...                         [F][3]   double [N m], about the
- * origin metrics/NAME      [F]                          double seconds/create [R] raw,
- * every repeat seconds/look                                   [1]            sampling and
+ *   surface/start     [N][3]                       double [m], of what starts in space:
+ * from the box's corner along u and v, and along the normal surface/uv        [N][2] double
+ * [1] on the sheet, and in space, surface/0, surface/1, ...  [N][3]              double
+ * [m], at xyz_time[0], xyz_time[1] energy/kinetic, energy/elastic, energy/potential   [F]
+ * double [J], NaN if not known counters/steps, ...                            [F]   work
+ * done up to the frame forces/support_0, ..., forces/obstacle_0, ...  [F][3]   double [N],
+ * what the scene's supports and obstacles exert on the sheet (model.h), NaN if not known;
+ * moments/support_0, ...                         [F][3]   double [N m], about the origin
+ * metrics/NAME      [F]                          double seconds/create [R] raw, every
+ * repeat seconds/look                                   [1]            sampling and
  * measuring seconds/advance                                [R][steps]     raw, every step
  *   seconds/equilibrium                            [R][1]         raw
  *   seconds/timed, seconds/processor               [1]   all that was timed together with
@@ -80,9 +81,11 @@ enum status store_create(const char *path, const struct store_run *run,
                          struct store **store, struct message *why);
 
 /* Adds the triangles[count] of a surface of `points` points at uv[points][2], which are
- * borrowed until the end; and, after each frame with a field, their positions. */
-enum status store_surface(struct store *store, int points, const double *uv, int count,
-                          const int (*triangle)[3], struct message *why);
+ * borrowed until the end; start: NULL, or where they begin; and, after each frame with a
+ * field, their positions. */
+enum status store_surface(struct store *store, int points, const double *uv,
+                          const double (*start)[3], int count, const int (*triangle)[3],
+                          struct message *why);
 enum status store_surface_frame(struct store *store, const double *xyz,
                                 struct message *why);
 

@@ -41,7 +41,7 @@ static enum status part_panels(struct pattern *p, int points)
 }
 
 static enum status take_pattern(const double *triangle, int rows, const double *uv,
-                                int points, struct scene *scene)
+                                const double *start, int points, struct scene *scene)
 {
     const double size[2] = {scene->length, scene->width};
     struct pattern_blame blame;
@@ -54,6 +54,11 @@ static enum status take_pattern(const double *triangle, int rows, const double *
     TRY(st);
     TRY(fill(triangle, rows, uv, points, size, &flat) ? STATUS_OK : STATUS_INPUT);
     TRY(part_panels(p, points));
+    if (start) {
+        p->start = malloc((size_t)points * sizeof *p->start);
+        TRY(p->start ? STATUS_OK : STATUS_MEMORY);
+        memcpy(p->start, start, (size_t)points * sizeof *p->start);
+    }
     TRY(pattern_add_mesh(p, &flat, &pinched));
     TRY(pattern_finish(p, box, &blame));
     scene->pattern = p, p = NULL;
@@ -98,7 +103,7 @@ static enum status take_parts(struct store_read *file, struct scene *scene,
 static enum status take_surface(struct store_read *file, const char *path,
                                 struct scene *scene, struct message *why)
 {
-    double *triangle, *uv, corner[2];
+    double *triangle, *uv, *start = NULL, corner[2];
     int rows, points, columns[2];
 
     if (!scene->pattern_file || !store_read_has(file, "surface"))
@@ -111,10 +116,13 @@ static enum status take_surface(struct store_read *file, const char *path,
         scene->origin[c] += corner[0] * scene->axis_u[c] + corner[1] * scene->axis_v[c];
     CALL(store_read_array(file, "surface/triangle", &triangle, &rows, &columns[0], why));
     CALL(store_read_array(file, "surface/uv", &uv, &points, &columns[1], why));
-    const enum status st =
-        columns[0] == 3 && columns[1] == 2 && scene->length > 0 && scene->width > 0
-            ? take_pattern(triangle, rows, uv, points, scene)
-            : STATUS_INPUT;
+    int starts = points, of_start = 3;
+    if (store_read_has(file, "surface/start"))
+        CALL(store_read_array(file, "surface/start", &start, &starts, &of_start, why));
+    const enum status st = columns[0] == 3 && columns[1] == 2 && starts == points &&
+                                   of_start == 3 && scene->length > 0 && scene->width > 0
+                               ? take_pattern(triangle, rows, uv, start, points, scene)
+                               : STATUS_INPUT;
     if (st == STATUS_INPUT)
         return status_fail(why, st, "%s: its surface is no triangles of a plane", path);
     return st == STATUS_OK ? take_parts(file, scene, why) : st;

@@ -62,15 +62,25 @@ enum status run_surface_begin(const struct run_surface *s, const struct scene *s
                               struct store *store, struct message *why)
 {
     double *uv SCOPED(scope_free) = malloc((size_t)s->flat.nodes * 2 * sizeof *uv + 1);
+    double(*start)[3] SCOPED(scope_free) = NULL;
+    const struct pattern *p = scene->pattern;
     const double size[2] = {scene->length, scene->width};
 
     if (!uv)
         return STATUS_MEMORY;
     for (int n = 0; n < 2 * s->flat.nodes; n++)
         uv[n] = s->flat.at[n / 2][n % 2] / size[n % 2];
-    return s->flat.nodes ? store_surface(store, s->flat.nodes, uv, s->flat.triangles,
-                                         (const int(*)[3])s->flat.triangle, why)
-                         : STATUS_OK;
+    if (pattern_starts_in_space(p)) {
+        start = malloc((size_t)s->flat.nodes * sizeof *start);
+        if (!start)
+            return STATUS_MEMORY;
+        for (int n = 0; n < s->flat.nodes; n++)
+            memcpy(start[n], p->start[p->node[n]], sizeof *start);
+    }
+    return s->flat.nodes
+               ? store_surface(store, s->flat.nodes, uv, (const double(*)[3])start,
+                               s->flat.triangles, (const int(*)[3])s->flat.triangle, why)
+               : STATUS_OK;
 }
 
 enum status run_surface_store(const struct run_surface *s, struct store *store,

@@ -168,10 +168,7 @@ double mesh_flat_random(uint64_t *state)
 
 double mesh_flat_area2(const struct mesh_flat *flat, int a, int b, int c)
 {
-    const double(*at)[2] = (const double(*)[2])flat->at;
-
-    return (at[b][0] - at[a][0]) * (at[c][1] - at[a][1]) -
-           (at[b][1] - at[a][1]) * (at[c][0] - at[a][0]);
+    return mesh_flat_left(flat->at[a], flat->at[b], flat->at[c]);
 }
 
 /* Returns minus the cosine-like measure that is positive where the angles across from an

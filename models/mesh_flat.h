@@ -51,6 +51,13 @@ enum status mesh_flat_edges(const struct mesh_flat *flat, struct mesh_edge **edg
 /* Fills piece[nodes] with the least node of the piece that each is in. */
 void mesh_flat_pieces(const struct mesh_flat *flat, int *piece);
 
+/* Returns how far c lies to the left of the way from a to b, times its length: twice the
+ * area of the three. */
+static inline double mesh_flat_left(const double a[2], const double b[2], const double c[2])
+{
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
 /* Returns twice the area of three nodes, positive if counter-clockwise. */
 double mesh_flat_area2(const struct mesh_flat *flat, int a, int b, int c);
 

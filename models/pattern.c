@@ -111,11 +111,6 @@ out:
 /* --- what is wrong with lines -----------------------------------------------------------
  */
 
-static double left(const double a[2], const double b[2], const double c[2])
-{
-    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-}
-
 /* Returns the point after a line's n-th. */
 static int after(const struct pattern *p, int line, int n)
 {
@@ -127,7 +122,7 @@ static double area_of(const struct pattern *p, int line)
     double sum = 0;
 
     for (int n = p->line[line]; n < p->line[line + 1]; n++)
-        sum += left(p->at[p->line[line]], p->at[n], p->at[after(p, line, n)]) / 2;
+        sum += mesh_flat_left(p->at[p->line[line]], p->at[n], p->at[after(p, line, n)]) / 2;
     return sum;
 }
 
@@ -150,8 +145,8 @@ static bool between(const double a[2], const double b[2], const double c[2])
 static bool cross(const double a[2], const double b[2], const double c[2],
                   const double d[2])
 {
-    const double ac = left(a, b, c), ad = left(a, b, d);
-    const double ca = left(c, d, a), cb = left(c, d, b);
+    const double ac = mesh_flat_left(a, b, c), ad = mesh_flat_left(a, b, d);
+    const double ca = mesh_flat_left(c, d, a), cb = mesh_flat_left(c, d, b);
 
     if (((ac > 0 && ad < 0) || (ac < 0 && ad > 0)) &&
         ((ca > 0 && cb < 0) || (ca < 0 && cb > 0)))
@@ -163,7 +158,7 @@ static bool cross(const double a[2], const double b[2], const double c[2],
 /* Tells whether two neighbouring sides, a b and b c, run back on each other. */
 static bool folds_back(const double a[2], const double b[2], const double c[2])
 {
-    return left(a, b, c) == 0 &&
+    return mesh_flat_left(a, b, c) == 0 &&
            (b[0] - a[0]) * (c[0] - b[0]) + (b[1] - a[1]) * (c[1] - b[1]) < 0;
 }
 
@@ -314,10 +309,10 @@ static double weigh(const struct pattern *p, int triangle, double x, double y,
 {
     const int *v = p->mesh.triangle[triangle];
     const double(*at)[2] = (const double(*)[2])p->mesh.at, here[2] = {x, y};
-    const double whole = left(at[v[0]], at[v[1]], at[v[2]]);
+    const double whole = mesh_flat_left(at[v[0]], at[v[1]], at[v[2]]);
 
-    weight[0] = left(here, at[v[1]], at[v[2]]) / whole;
-    weight[1] = left(at[v[0]], here, at[v[2]]) / whole;
+    weight[0] = mesh_flat_left(here, at[v[1]], at[v[2]]) / whole;
+    weight[1] = mesh_flat_left(at[v[0]], here, at[v[2]]) / whole;
     weight[2] = 1 - weight[0] - weight[1];
     return fmin(weight[0], fmin(weight[1], weight[2]));
 }

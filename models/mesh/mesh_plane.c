@@ -23,20 +23,14 @@ static const double *at(const struct mesh *mesh, int triangle, int corner)
     return mesh_flat_place(&mesh->flat, triangle, corner);
 }
 
-/* Returns twice the area between two points and a third. */
-static double area2(const double a[2], const double b[2], const double c[2])
-{
-    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-}
-
 /* Computes the weights of a triangle's points at p. */
 static void weights(const struct mesh *mesh, int t, const double p[2], double weight[3])
 {
     const double *a = at(mesh, t, 0), *b = at(mesh, t, 1), *c = at(mesh, t, 2);
-    const double whole = area2(a, b, c);
+    const double whole = mesh_flat_left(a, b, c);
 
-    weight[0] = area2(p, b, c) / whole;
-    weight[1] = area2(a, p, c) / whole;
+    weight[0] = mesh_flat_left(p, b, c) / whole;
+    weight[1] = mesh_flat_left(a, p, c) / whole;
     weight[2] = 1 - weight[0] - weight[1];
 }
 
@@ -205,7 +199,7 @@ static void set_points(struct mesh *mesh, const struct scene *scene)
     for (int t = 0; t < mesh->flat.triangles; t++)
         for (int c = 0; c < 3; c++)
             mesh->area[mesh->flat.triangle[t][c]] +=
-                area2(at(mesh, t, 0), at(mesh, t, 1), at(mesh, t, 2)) / 6;
+                mesh_flat_left(at(mesh, t, 0), at(mesh, t, 1), at(mesh, t, 2)) / 6;
 }
 
 /* Computes where a way in a triangle's plane points as it starts in space. */
@@ -437,7 +431,7 @@ static void add_integrals(const struct mesh *mesh, int t, const double lo[2],
         cut(&p, i, hi[i], false);
     }
     for (int n = 0; !flat[0] && !flat[1] && n + 2 < p.count; n++) {
-        const double part = area2(p.at[0], p.at[n + 1], p.at[n + 2]) / 2;
+        const double part = mesh_flat_left(p.at[0], p.at[n + 1], p.at[n + 2]) / 2;
         for (int i = 0; i < 2; i++)
             middle[i] = (p.at[0][i] + p.at[n + 1][i] + p.at[n + 2][i]) / 3;
         weights(mesh, t, middle, w);

@@ -108,12 +108,6 @@ static enum status add_corner(struct reading *r, struct mesh_flat *flat, int *no
     return STATUS_OK;
 }
 
-/* Returns how far c lies to the left of the way from a to b, times its length. */
-static double left(const double a[2], const double b[2], const double c[2])
-{
-    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-}
-
 static enum status add_triangle(struct reading *r, struct mesh_flat *flat, int *node,
                                 const struct obj_file_corner corner[3], struct message *why)
 {
@@ -124,7 +118,7 @@ static enum status add_triangle(struct reading *r, struct mesh_flat *flat, int *
     for (int c = 0; c < 3; c++)
         TRY(add_corner(r, flat, node, corner + c, &v[c], why));
     const double(*at)[2] = (const double(*)[2])flat->at;
-    const double area = left(at[v[0]], at[v[1]], at[v[2]]);
+    const double area = mesh_flat_left(at[v[0]], at[v[1]], at[v[2]]);
     for (int c = 0; c < 3; c++)
         longest = fmax(longest, hypot(at[v[c]][0] - at[v[(c + 1) % 3]][0],
                                       at[v[c]][1] - at[v[(c + 1) % 3]][1]));
@@ -169,7 +163,7 @@ static enum status check(struct reading *r, const struct mesh_flat *flat,
     for (int e = 0; st == STATUS_OK && e < count; e++) {
         const double *a = flat->at[edge[e].node[0]], *b = flat->at[edge[e].node[1]];
         const bool inner = edge[e].node[3] >= 0;
-        if (inner ? left(a, b, flat->at[edge[e].node[3]]) < 0
+        if (inner ? mesh_flat_left(a, b, flat->at[edge[e].node[3]]) < 0
                   : !r->side || on_rim(flat, r->side, &edge[e]))
             continue;
         r->line.line = corner[3 * edge[e].triangle[inner]].line;
@@ -185,7 +179,7 @@ static enum status check(struct reading *r, const struct mesh_flat *flat,
     }
     for (int t = 0; t < flat->triangles; t++) {
         const int *v = flat->triangle[t];
-        area += left(flat->at[v[0]], flat->at[v[1]], flat->at[v[2]]) / 2;
+        area += mesh_flat_left(flat->at[v[0]], flat->at[v[1]], flat->at[v[2]]) / 2;
     }
     const double whole = r->side ? r->side[0] * r->side[1] : area;
     r->line.line = -1;

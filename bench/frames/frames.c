@@ -187,11 +187,12 @@ static enum status check_uv(const struct frames *f, struct message *why)
             return status_fail(why, STATUS_INPUT,
                                "%s: %c of vertex %d is %g; a number would be right",
                                f->path, "uv"[n % 2], n / 2 + 1, f->net.uv[n]);
-    for (int n = 0; f->net.corner && n < 6 * f->net.triangles; n++)
-        if (!isfinite((**f->net.corner)[n]))
+    const double *vt = f->net.corner ? **f->net.corner : NULL;
+    for (int n = 0; vt && n < 6 * f->net.triangles; n++)
+        if (!isfinite(vt[n]))
             return status_fail(why, STATUS_INPUT,
                                "%s: face %d has a vt of %g; a number would be right",
-                               f->path, n / 6 + 1, (**f->net.corner)[n]);
+                               f->path, n / 6 + 1, vt[n]);
     return STATUS_OK;
 }
 

@@ -44,7 +44,8 @@ struct frames_net {
     int vertices;
     int points[2]; /* of the net of whose surface a result file has so many places; 0  */
     bool linear;   /* between these points, which stand evenly                         */
-    bool surface;  /* of a result file: panels have vertices of their own              */
+    bool *beside;  /* [vertices] of a result file: points of the material grid that are
+                      beside the sheet, and lie where another is; NULL: of others       */
     double *uv;    /* [vertices][2] material coordinates; NULL: unknown              */
     double *rest;  /* [vertices][3] of --rest; NULL: none                            */
     int triangles; /* 0: no faces                                                    */

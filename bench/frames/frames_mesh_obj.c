@@ -26,16 +26,22 @@ static enum status take_uv(const struct obj_file *o, const char *path,
     return STATUS_OK;
 }
 
-/* Takes the vt of each corner; there are none where a corner has none. */
-static void take_corners(const struct obj_file *o, struct frames_mesh *m)
+/* Takes the vt of each corner, if the file has any. */
+static enum status take_corners(const struct obj_file *o, const char *path,
+                                struct frames_mesh *m, struct message *why)
 {
+    if (!m->triangles || !o->textures)
+        return STATUS_OK;
     m->corner = arena_take(m->arena, (size_t)m->triangles, sizeof *m->corner);
-    for (int n = 0; n < o->corners && m->corner; n++)
+    for (int n = 0; n < o->corners; n++) {
         if (o->corner[n].vt < 0)
-            m->corner = NULL;
-        else
-            memcpy(m->corner[n / 3][n % 3], o->texture[o->corner[n].vt],
-                   sizeof m->corner[n / 3][n % 3]);
+            return status_fail(why, STATUS_INPUT,
+                               "%s:%d: gives a corner no vt; one for each would be right",
+                               path, o->corner[n].line);
+        memcpy(m->corner[n / 3][n % 3], o->texture[o->corner[n].vt],
+               sizeof m->corner[n / 3][n % 3]);
+    }
+    return STATUS_OK;
 }
 
 enum status frames_mesh_obj(const char *path, struct frames_mesh *mesh, struct message *why)
@@ -57,8 +63,8 @@ enum status frames_mesh_obj(const char *path, struct frames_mesh *mesh, struct m
         for (int i = 0; i < 2; i++)
             mesh->uv[2 * n + i] = paired ? NAN : o.texture[n][i];
     }
-    if (mesh->seams && mesh->triangles)
-        take_corners(&o, mesh);
+    if (mesh->seams)
+        CALL(take_corners(&o, path, mesh, why));
     if (mesh->corner)
         mesh->uv = NULL;
     else

@@ -1,7 +1,6 @@
 /* Reads arrays xyz [frames][n][3] (or [frames][rows][columns][3]), uv [n][2], t [frames],
  * faces [m][3] of NumPy's files and HDF5; and the program's own result files
- * (bench/files/store.h), of whose layers the middle is taken, or, where there is one, the
- * surface. */
+ * (bench/files/store.h), of whose layers the middle is taken. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,7 +15,8 @@ struct moving {
     double *t;                 /* [frames]; NULL: none                                  */
     struct frames_array *file; /* at the next frame of xyz; NULL: it is our own owned   */
     struct store_read *own;    /* our own, or NULL                              owned   */
-    double *field;             /* of a frame of our own; NULL: it has a surface         */
+    double *field;             /* of a frame of our own                                 */
+    int there;                 /* its first point that is not beside the sheet          */
 };
 
 static void close_moving(void *state)
@@ -27,23 +27,6 @@ static void close_moving(void *state)
     store_read_close(m->own);
 }
 
-static enum status next_surface(struct frames *f, struct message *why)
-{
-    const struct moving *m = f->state;
-    double *xyz;
-    char name[32];
-    int rows, columns;
-
-    snprintf(name, sizeof name, "surface/%d", f->number - 1);
-    CALL(store_read_array(m->own, name, &xyz, &rows, &columns, why));
-    if (rows != f->net.vertices || columns != 3)
-        return status_fail(why, STATUS_INPUT,
-                           "%s: %s: has %d x %d numbers; %d x 3 is right", f->path, name,
-                           rows, columns, f->net.vertices);
-    memcpy(f->xyz, xyz, 3 * (size_t)rows * sizeof *xyz);
-    return STATUS_OK;
-}
-
 static enum status next_moving(struct frames *f, double *t, struct message *why)
 {
     const struct moving *m = f->state;
@@ -52,12 +35,13 @@ static enum status next_moving(struct frames *f, double *t, struct message *why)
 
     if (m->t)
         *t = m->t[f->number - 1];
-    if (m->own && !m->field) {
-        CALL(next_surface(f, why));
-    } else if (m->own) {
+    if (m->own) {
         CALL(store_read_frame(m->own, f->number - 1, m->field, why));
         for (int n = 0; n < count; n++)
             f->xyz[n] = .5 * (m->field[n] + m->field[count + n]);
+        for (int n = 0; n < f->net.vertices; n++)
+            if (f->net.beside[n])
+                memcpy(f->xyz + 3 * n, f->xyz + 3 * m->there, 3 * sizeof *f->xyz);
     } else if (!frames_array_read(m->file, (size_t)count, f->xyz)) {
         st = status_fail(why, STATUS_INPUT,
                          "%s: frame %d: xyz is cut off or damaged; %d whole frames would "
@@ -184,29 +168,6 @@ static enum status read_points(struct frames *f, struct store_read *own,
     return STATUS_OK;
 }
 
-/* Takes the triangles of a surface. */
-static enum status open_surface(struct frames *f, struct store_read *own,
-                                struct message *why)
-{
-    double *corner;
-    int points, triangles, columns[2];
-
-    CALL(store_read_array(own, "surface/uv", &f->net.uv, &points, &columns[0], why));
-    CALL(store_read_array(own, "surface/triangle", &corner, &triangles, &columns[1], why));
-    CALL(frames_room(f, points, why));
-    f->net.linear = false, f->net.surface = true;
-    f->net.triangles = triangles;
-    f->net.triangle = arena_take(&f->arena, (size_t)triangles, sizeof *f->net.triangle);
-    bool whole = columns[0] == 2 && columns[1] == 3;
-    for (int n = 0; whole && n < 3 * triangles; n++) {
-        whole = corner[n] >= 0 && corner[n] < points;
-        f->net.triangle[n / 3][n % 3] = whole ? (int)corner[n] : 0;
-    }
-    return whole ? STATUS_OK
-                 : status_fail(why, STATUS_INPUT,
-                               "%s: its surface is no triangles of a plane", f->path);
-}
-
 static enum status open_own(struct frames *f, struct message *why)
 {
     struct moving *m = f->state;
@@ -222,16 +183,22 @@ static enum status open_own(struct frames *f, struct message *why)
     CALL(store_read_text(m->own, "/", "scene_name", &scene, why));
     f->scene = scene;
     CALL(read_points(f, m->own, why));
-    if (store_read_has(m->own, "surface"))
-        return open_surface(f, m->own, why);
     CALL(frames_room(f, GRID_U * GRID_V, why));
     m->field = arena_take(&f->arena, 3 * GRID_POINTS, sizeof *m->field);
     f->net.uv = arena_take(&f->arena, 2 * GRID_U * GRID_V, sizeof *f->net.uv);
+    f->net.beside = arena_take(&f->arena, GRID_U * GRID_V, sizeof *f->net.beside);
+    if (f->count)
+        CALL(store_read_frame(m->own, 0, m->field, why));
     for (int n = 0; n < GRID_U * GRID_V; n++) {
         double uvw[3];
         grid_point(n, uvw);
         memcpy(f->net.uv + 2 * n, uvw, 2 * sizeof *uvw);
+        f->net.beside[n] = isnan(m->field[3 * n]);
+        m->there += n == m->there && f->net.beside[n];
     }
+    if (m->there == GRID_U * GRID_V)
+        return status_fail(why, STATUS_INPUT, "%s: its first frame has no numbers",
+                           f->path);
     return STATUS_OK;
 }
 

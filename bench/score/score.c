@@ -461,7 +461,7 @@ static enum status make_net(struct score *s, const struct frames *frames,
         score_net_map(arena, &s->net, net, scene, name, GRID_U, GRID_V, &s->grid.map, why));
     CALL(score_net_map(arena, &s->net, net, scene, name, LADDER_U, LADDER_V, &s->fine.map,
                        why));
-    if (net->linear && scene_sheets(scene) == 1)
+    if (net->linear && scene_sheets(scene) == 1 && !scene->pattern)
         CALL(map_points(s, net, name, why));
     score_contact_begin(arena, &s->contact, scene, net, &s->net);
     make_path(s);

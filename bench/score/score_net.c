@@ -1,6 +1,7 @@
 #include "bench/score/score_net.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -146,6 +147,17 @@ static void scale_corners(const struct pattern *p, struct frames_net *net, doubl
         place[n] = (place[n] - low[n % 2]) / p->size[n % 2];
 }
 
+/* Takes the cells of the material grid that are on the sheet, each as two triangles. */
+static void cut_grid(struct arena *arena, struct frames_net *net)
+{
+    net->triangle = arena_take(arena, 2 * (size_t)net->vertices, sizeof *net->triangle);
+    for (int n = 0; n < 2 * (GRID_U - 1) * (GRID_V - 1); n++) {
+        int *c = net->triangle[net->triangles];
+        intersection_corners(GRID_U, n, c);
+        net->triangles += !net->beside[c[0]] && !net->beside[c[1]] && !net->beside[c[2]];
+    }
+}
+
 /* Takes the triangles of the scene's own mesh. */
 static enum status take_own(struct arena *arena, const struct scene *scene,
                             const char *name, struct frames_net *net, struct message *why)
@@ -154,13 +166,17 @@ static enum status take_own(struct arena *arena, const struct scene *scene,
     const struct mesh_flat *own = &p->mesh;
     const int nodes = p->node ? p->nodes : own->nodes;
 
+    char count[128] = "";
+
+    if (own->triangles)
+        snprintf(count, sizeof count,
+                 ", and %d vertices, where the mesh of the scene has %d", net->vertices,
+                 nodes);
     if (net->vertices != nodes || !own->triangles)
-        return status_fail(
-            why, STATUS_INPUT,
-            "%s: has no %s, and %d vertices, where the mesh of %s has %d; --rest FILE, the "
-            "rest.obj that export writes, would be right",
-            name, p->node ? "places of corners (vt)" : "faces", net->vertices, scene->name,
-            nodes);
+        return status_fail(why, STATUS_INPUT,
+                           "%s: has no %s%s; --rest FILE, the rest.obj that export writes, "
+                           "would be right",
+                           name, p->node ? "places of corners (vt)" : "faces", count);
     net->triangles = own->triangles;
     net->triangle = arena_take(arena, (size_t)own->triangles, sizeof *net->triangle);
     net->corner = arena_take(arena, (size_t)own->triangles, sizeof *net->corner);
@@ -185,11 +201,19 @@ enum status score_net_complete(struct arena *arena, const struct scene *scene,
                                const char *name, struct frames_net *net,
                                struct message *why)
 {
-    if (!scene->pattern)
+    if (!scene->pattern) {
+        for (int n = 0; net->beside && n < net->vertices; n++)
+            if (net->beside[n])
+                return status_fail(why, STATUS_INPUT,
+                                   "%s: is of a sheet with an outline; %s has none", name,
+                                   scene->name);
         return STATUS_OK;
-    if (net->corner)
+    }
+    if (net->beside)
+        cut_grid(arena, net);
+    else if (net->corner)
         scale_corners(scene->pattern, net, **net->corner);
-    else if (!net->triangles || (scene->pattern->node && !net->surface))
+    else if (!net->triangles || scene->pattern->node)
         CALL(take_own(arena, scene, name, net, why));
     if (net->corner) {
         net->uv = arena_take(arena, 2 * (size_t)net->vertices, sizeof *net->uv);
@@ -402,8 +426,15 @@ static enum status map_triangles(const struct score_net *net,
     double at[2];
     int bare = -1;
 
-    for (int n = 0; n < points; n++)
+    for (int n = 0; n < points; n++) {
         inside[n] = -EDGE; /* a point may lie so far out of a triangle, in u and v */
+        if (frames->beside && !frames->beside[score_net_grid(map->nu, map->nv, n)]) {
+            inside[n] = INFINITY; /* it is a vertex */
+            for (int k = 0; k < 4; k++)
+                map->place[n][k] = score_net_grid(map->nu, map->nv, n);
+            map->weight[n][0] = 1;
+        }
+    }
     for (int n = 0; n < frames->triangles; n++) {
         const int *vertex = frames->triangle[n];
         const double *corner[3];
@@ -450,7 +481,8 @@ static enum status check_sheets(const struct score_net *net, const struct scene 
 }
 
 static enum status check_span(const struct score_net *net, const struct frames_net *frames,
-                              const char *name, struct message *why)
+                              const struct scene *scene, const char *name,
+                              struct message *why)
 {
     const double *place = frames->corner ? **frames->corner : net->uv;
     const int places = frames->corner ? 3 * frames->triangles : net->vertices;
@@ -471,7 +503,8 @@ static enum status check_span(const struct score_net *net, const struct frames_n
                 "%s: %c runs from %.6g to %.6g; uv of the sheet must run from "
                 "0 to 1, not in metres, pixels or per cent",
                 name, "uv"[d], first, last);
-        if (first > EDGE || last < 1 - EDGE)
+        if (first > EDGE || last < 1 - EDGE ||
+            (scene->pattern && (first < -EDGE || last > 1 + EDGE)))
             return status_fail(why, STATUS_INPUT,
                                "%s: %c runs from %.6g to %.6g; from 0 to 1, from edge to "
                                "edge of the sheet, would be right",
@@ -522,7 +555,7 @@ enum status score_net_map(struct arena *arena, struct score_net *net,
     *map = (struct score_map){nu, nv, .sheets = scene->sheets,
                               .place = arena_take(arena, points, sizeof *map->place),
                               .weight = arena_take(arena, points, sizeof *map->weight)};
-    CALL(check_span(net, frames, name, why));
+    CALL(check_span(net, frames, scene, name, why));
     CALL(check_sheets(net, scene, name, why));
     const int columns = count_lines(p, net->vertices, 0),
               rows = count_lines(p, net->vertices, 1);

@@ -90,7 +90,8 @@ static void say_contact(const struct score *s, struct score_print_said *said)
     static const char *const keys[] = {"frame", "time", "value", "pairs", "triangles"};
     const struct score_contact *c = &s->contact;
 
-    if (!c->event[SCORE_CONTACT_ITSELF].frame && !c->event[SCORE_CONTACT_BODY].frame)
+    if (!c->unsewn && !c->event[SCORE_CONTACT_ITSELF].frame &&
+        !c->event[SCORE_CONTACT_BODY].frame)
         snprintf(next(said, SCORE_PRINT_PARTS, "")->text, sizeof said->saying->text,
                  "No frame passes through %s%s.", scene_sheet_other(&s->truth->scene),
                  s->truth->scene.obstacle_count ? " or has a vertex in a body" : "");

@@ -19,6 +19,7 @@ void score_contact_begin(struct arena *arena, struct score_contact *c,
 {
     *c = (struct score_contact){.scene = scene,
                                 .net = net,
+                                .beside = frames->beside,
                                 .unsewn = frames->beside &&
                                           pattern_starts_in_space(scene->pattern),
                                 .work = {.keep_pairs = true, .shake = CROSSING_SHAKE}};
@@ -118,6 +119,8 @@ void score_contact_end(struct score_contact *c, double time, double seconds,
     double way[3], distance;
 
     for (int n = 0; n < c->net->vertices; n++) {
+        if (c->beside && c->beside[n])
+            continue;
         vector_between(before + 3L * n, xyz + 3L * n, way);
         if (!(vector_length(way) <= SCORE_CONTACT_STILL * length * seconds))
             continue;

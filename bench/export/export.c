@@ -1538,11 +1538,16 @@ static void put_score(const struct export_job *j, struct output *out)
                  known->claimed ? " (times.csv, with its error bar [m])" : "");
     if (known->claimed)
         output_print(out, "What it is: %s.\n", known->source);
-    output_print(
-        out, "Every point of a 100 x 100 grid over (u,v) is compared, yours bilinear "
-             "between vertices:\n\n    clothbench score scene.yaml FRAMES\n\n"
-             "prints the rms distance over the length at each of these times, the truth's "
-             "error bar, and what\nyour net alone would cost.\n");
+    const bool outlined = j->scene.pattern;
+    output_print(out,
+                 "Every point of a 100 x 100 grid over (u,v) is compared, yours %s:\n\n    "
+                 "clothbench "
+                 "score %s\n\nprints the rms distance over the %s at each of these times, "
+                 "the truth's "
+                 "error bar, and what\nyour net alone would cost.\n",
+                 outlined ? "linear in the triangles" : "bilinear between vertices",
+                 outlined ? "SCENE FRAMES --rest rest.obj" : "scene.yaml FRAMES",
+                 outlined ? "square root of the area" : "length");
 }
 
 static void write_readme(struct export_job *j, struct output *out)

@@ -165,7 +165,7 @@ static enum status take_rest(struct frames *f, struct message *why)
 {
     struct frames_mesh mesh;
 
-    CALL(frames_mesh_read(f->look.rest, &f->arena, &mesh, why));
+    CALL(frames_mesh_read(f->look.rest, f->look.seams, &f->arena, &mesh, why));
     if (mesh.vertices != f->net.vertices)
         return status_fail(why, STATUS_INPUT,
                            "%s: has %d vertices, %s %d; the same is right", f->look.rest,
@@ -173,8 +173,10 @@ static enum status take_rest(struct frames *f, struct message *why)
     if (!f->net.uv)
         f->net.uv = mesh.uv;
     f->net.rest = mesh.xyz;
-    if (!f->net.triangles)
+    if (!f->net.triangles || (mesh.corner && !f->net.corner)) {
         f->net.triangles = mesh.triangles, f->net.triangle = mesh.triangle;
+        f->net.corner = mesh.corner;
+    }
     return STATUS_OK;
 }
 
@@ -185,6 +187,12 @@ static enum status check_uv(const struct frames *f, struct message *why)
             return status_fail(why, STATUS_INPUT,
                                "%s: %c of vertex %d is %g; a number would be right",
                                f->path, "uv"[n % 2], n / 2 + 1, f->net.uv[n]);
+    const double *vt = f->net.corner ? **f->net.corner : NULL;
+    for (int n = 0; vt && n < 6 * f->net.triangles; n++)
+        if (!isfinite(vt[n]))
+            return status_fail(why, STATUS_INPUT,
+                               "%s: face %d has a vt of %g; a number would be right",
+                               f->path, n / 6 + 1, vt[n]);
     return STATUS_OK;
 }
 

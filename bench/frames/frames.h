@@ -35,7 +35,8 @@ struct frames;
 struct frames_look {
     double dt; /* interval [s]; 0: not given. Overrides the file's times         */
     const char
-        *rest; /* a mesh (.obj, .ply) with the vertices' uv or rest positions; NULL */
+        *rest;  /* a mesh (.obj, .ply) with the vertices' uv or rest positions; NULL */
+    bool seams; /* vt of OBJ are places of corners, of which a vertex may have several   */
 };
 
 /* The net that moves; owned by the frames. */
@@ -43,10 +44,14 @@ struct frames_net {
     int vertices;
     int points[2]; /* of the net of whose surface a result file has so many places; 0  */
     bool linear;   /* between these points, which stand evenly                         */
+    bool *beside;  /* [vertices] of a result file: points of the material grid that are
+                      beside the sheet, and lie where another is; NULL: of others       */
     double *uv;    /* [vertices][2] material coordinates; NULL: unknown              */
     double *rest;  /* [vertices][3] of --rest; NULL: none                            */
     int triangles; /* 0: no faces                                                    */
     int (*triangle)[3]; /* [triangles] of vertices, from 0                                */
+    double (*corner)[3][2]; /* [triangles] places of their corners, as vt has them, where
+                               seams are looked for; NULL: those of the vertices          */
 };
 
 /* The most vertices of a net and times of a file: a larger count is taken for damage. */

@@ -17,13 +17,13 @@ void frames_mesh_face(struct frames_mesh *mesh, int count, const long *vertex)
     }
 }
 
-enum status frames_mesh_read(const char *path, struct arena *arena,
+enum status frames_mesh_read(const char *path, bool seams, struct arena *arena,
                              struct frames_mesh *mesh, struct message *why)
 {
     const char *ending = strrchr(path, '.');
     const bool ply = ending && !strcmp(ending, ".ply");
 
-    *mesh = (struct frames_mesh){.arena = arena};
+    *mesh = (struct frames_mesh){.arena = arena, .seams = seams};
     if (!ply && !(ending && !strcmp(ending, ".obj")))
         return status_fail(why, STATUS_INPUT,
                            "%s: is no mesh; an .obj or .ply would be right", path);
@@ -66,7 +66,7 @@ static enum status next_mesh(struct frames *f, double *t, struct message *why)
     struct frames_mesh mesh;
 
     (void)t;
-    CALL(frames_mesh_read(f->files.path[f->number - 1], &arena, &mesh, why));
+    CALL(frames_mesh_read(f->files.path[f->number - 1], f->look.seams, &arena, &mesh, why));
     CALL(check_same(f, &mesh, why));
     memcpy(f->xyz, mesh.xyz, (size_t)mesh.vertices * 3 * sizeof *f->xyz);
     return STATUS_OK;
@@ -122,10 +122,11 @@ static enum status open_sequence(struct frames *f, struct message *why)
 
     f->count = f->files.count;
     CALL(check_numbers(f, why));
-    CALL(frames_mesh_read(f->files.path[0], &f->arena, &mesh, why));
+    CALL(frames_mesh_read(f->files.path[0], f->look.seams, &f->arena, &mesh, why));
     s->triangles = f->net.triangles = mesh.triangles;
     f->net.uv = mesh.uv;
     f->net.triangle = mesh.triangle;
+    f->net.corner = mesh.corner;
     return frames_room(f, mesh.vertices, why);
 }
 

@@ -26,6 +26,24 @@ static enum status take_uv(const struct obj_file *o, const char *path,
     return STATUS_OK;
 }
 
+/* Takes the vt of each corner, if the file has any. */
+static enum status take_corners(const struct obj_file *o, const char *path,
+                                struct frames_mesh *m, struct message *why)
+{
+    if (!m->triangles || !o->textures)
+        return STATUS_OK;
+    m->corner = arena_take(m->arena, (size_t)m->triangles, sizeof *m->corner);
+    for (int n = 0; n < o->corners; n++) {
+        if (o->corner[n].vt < 0)
+            return status_fail(why, STATUS_INPUT,
+                               "%s:%d: gives a corner no vt; one for each would be right",
+                               path, o->corner[n].line);
+        memcpy(m->corner[n / 3][n % 3], o->texture[o->corner[n].vt],
+               sizeof m->corner[n / 3][n % 3]);
+    }
+    return STATUS_OK;
+}
+
 enum status frames_mesh_obj(const char *path, struct frames_mesh *mesh, struct message *why)
 {
     struct obj_file o SCOPED(obj_file_clear) = {0};
@@ -45,7 +63,12 @@ enum status frames_mesh_obj(const char *path, struct frames_mesh *mesh, struct m
         for (int i = 0; i < 2; i++)
             mesh->uv[2 * n + i] = paired ? NAN : o.texture[n][i];
     }
-    CALL(take_uv(&o, path, mesh, why));
+    if (mesh->seams)
+        CALL(take_corners(&o, path, mesh, why));
+    if (mesh->corner)
+        mesh->uv = NULL;
+    else
+        CALL(take_uv(&o, path, mesh, why));
     for (int n = 0; n < o.corners; n++)
         mesh->triangle[n / 3][n % 3] = o.corner[n].v;
     for (int n = 0; mesh->uv && n < 2 * o.vertices; n++)

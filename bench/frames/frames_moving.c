@@ -16,6 +16,7 @@ struct moving {
     struct frames_array *file; /* at the next frame of xyz; NULL: it is our own owned   */
     struct store_read *own;    /* our own, or NULL                              owned   */
     double *field;             /* of a frame of our own                                 */
+    int there;                 /* its first point that is not beside the sheet          */
 };
 
 static void close_moving(void *state)
@@ -38,6 +39,9 @@ static enum status next_moving(struct frames *f, double *t, struct message *why)
         CALL(store_read_frame(m->own, f->number - 1, m->field, why));
         for (int n = 0; n < count; n++)
             f->xyz[n] = .5 * (m->field[n] + m->field[count + n]);
+        for (int n = 0; n < f->net.vertices; n++)
+            if (f->net.beside[n])
+                memcpy(f->xyz + 3 * n, f->xyz + 3 * m->there, 3 * sizeof *f->xyz);
     } else if (!frames_array_read(m->file, (size_t)count, f->xyz)) {
         st = status_fail(why, STATUS_INPUT,
                          "%s: frame %d: xyz is cut off or damaged; %d whole frames would "
@@ -182,11 +186,19 @@ static enum status open_own(struct frames *f, struct message *why)
     CALL(frames_room(f, GRID_U * GRID_V, why));
     m->field = arena_take(&f->arena, 3 * GRID_POINTS, sizeof *m->field);
     f->net.uv = arena_take(&f->arena, 2 * GRID_U * GRID_V, sizeof *f->net.uv);
+    f->net.beside = arena_take(&f->arena, GRID_U * GRID_V, sizeof *f->net.beside);
+    if (f->count)
+        CALL(store_read_frame(m->own, 0, m->field, why));
     for (int n = 0; n < GRID_U * GRID_V; n++) {
         double uvw[3];
         grid_point(n, uvw);
         memcpy(f->net.uv + 2 * n, uvw, 2 * sizeof *uvw);
+        f->net.beside[n] = isnan(m->field[3 * n]);
+        m->there += n == m->there && f->net.beside[n];
     }
+    if (m->there == GRID_U * GRID_V)
+        return status_fail(why, STATUS_INPUT, "%s: its first frame has no numbers",
+                           f->path);
     return STATUS_OK;
 }
 

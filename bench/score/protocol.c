@@ -200,6 +200,12 @@ static enum status read_scene(struct arena *arena, const char *path,
                            "right",
                            path, to->name);
     CALL(score_truth_read(to->own ? own : to->name, &truth, why));
+    if (truth.scene.pattern)
+        return status_fail(
+            why, STATUS_INPUT,
+            "%s: frames of a sheet with an outline have no page; score SCENE "
+            "FRAMES would be right",
+            path);
     to->length = truth.scene.length;
     to->run = arena_take(arena, (size_t)folder.count, sizeof *to->run);
     for (int n = 0; n < folder.count; n++)

@@ -8,6 +8,7 @@
 #include "bench/harness/settings.h"
 #include "bench/truth/truth.h"
 #include "models/metric/metric_rest.h"
+#include "models/pattern.h"
 #include "models/reader/named_file.h"
 #include "models/reader/scene_file.h"
 
@@ -179,12 +180,7 @@ enum status score_truth_read(const char *scene, struct score_truth *t, struct me
     TRY(scene_file_find(scene, &path, why));
     TRY(truth_plan_scene(path, &settings, &t->scene, why));
     t->undamped = settings.count > 0;
-    if (t->scene.pattern)
-        TRY(status_fail(
-            why, STATUS_INPUT,
-            "%s: frames of a sheet with an outline are not judged yet; those of "
-            "a rectangle are",
-            scene));
+    t->length = t->scene.pattern ? sqrt(scene_area(&t->scene)) : t->scene.length;
     TRY(take_known(t, why));
     if (!t->known.claimed)
         TRY(take_formula(scene, path, &settings, t, why));
@@ -232,10 +228,14 @@ const double *score_ladder_flaw(const struct score_ladder *l, int flaw, int time
 double score_rms(int points, const double *a, const double *b)
 {
     double sum = 0;
+    int beside = 0; /* coordinates that one of them has not */
 
     for (int n = 0; n < 3 * points; n++)
-        sum += (a[n] - b[n]) * (a[n] - b[n]);
-    return sqrt(sum / points);
+        if (isnan(a[n] - b[n]))
+            beside++;
+        else
+            sum += (a[n] - b[n]) * (a[n] - b[n]);
+    return sqrt(sum / (points - beside / 3));
 }
 
 /* Turns positions into the scene's axes and metres: Blender's (x, y, z) is (x, -z, y). */
@@ -297,8 +297,20 @@ static void view_take(struct score_view *v, double t, const double *xyz)
     }
 }
 
+/* Takes the ladder's points out of a field on the material grid, at its nearest points. */
+static void take_coarse(const double *grid, double *field)
+{
+    for (int n = 0; n < LADDER_POINTS; n++)
+        memcpy(field + 3 * n, grid + 3 * score_net_grid(LADDER_U, LADDER_V, n),
+               3 * sizeof *field);
+}
+
 void score_coarse_rest(const struct score *s, double *rest)
 {
+    if (s->truth->scene.pattern) {
+        take_coarse(s->truth->rest, rest);
+        return;
+    }
     for (int n = 0; n < LADDER_POINTS; n++) {
         const struct scene *scene = &s->truth->scene;
         const double uv[2] = {scene_sheet_inside(scene, n % LADDER_U / (LADDER_U - 1.)),
@@ -332,9 +344,14 @@ static void make_path(struct score *s)
     const size_t size = 3 * (size_t)LADDER_POINTS;
 
     s->path = arena_take(&s->arena, ((size_t)known->claimed + 1) * size, sizeof *s->path);
-    for (int n = 0; n <= known->claimed; n++)
-        score_map_seen(&s->fine.map, GRID_U, GRID_V, n ? known->xyz[n - 1] : s->truth->rest,
-                       s->path + size * (size_t)n);
+    for (int n = 0; n <= known->claimed; n++) {
+        const double *field = n ? known->xyz[n - 1] : s->truth->rest;
+        double *path = s->path + size * (size_t)n;
+        if (s->truth->scene.pattern)
+            take_coarse(field, path);
+        else
+            score_map_seen(&s->fine.map, GRID_U, GRID_V, field, path);
+    }
 }
 
 /* Fills truth[SCORE_POINTS][3] at any time. */
@@ -352,6 +369,20 @@ static void truth_at(const struct score_truth *t, double time, double *truth)
     }
 }
 
+/* Moves the ladder's points that both fields have to their front; returns how many. */
+static int keep_known(double *a, double *b)
+{
+    int count = 0;
+
+    for (int n = 0; n < LADDER_POINTS; n++) {
+        if (isnan(a[3 * n] - b[3 * n]))
+            continue;
+        memmove(a + 3 * count, a + 3 * n, 3 * sizeof *a);
+        memmove(b + 3 * count++, b + 3 * n, 3 * sizeof *b);
+    }
+    return count;
+}
+
 /* Measures how far the first frame is from the sheet at rest; and, where the truth is known
  * then, whether it is turned from it, and which vertices stray. */
 static void take_start(struct score *s, const double *xyz)
@@ -364,10 +395,11 @@ static void take_start(struct score *s, const double *xyz)
 
     score_coarse_rest(s, rest);
     score_map_apply(&s->fine.map, xyz, part);
-    for (int n = 0; n < 3 * LADDER_POINTS; n++)
-        s->begin[n % 3] += (part[n] - rest[n]) / LADDER_POINTS;
-    s->start = at_rest ? score_rms(LADDER_POINTS, part, rest) : NAN;
-    if (!at_rest && !later)
+    int points = keep_known(rest, part);
+    for (int n = 0; n < 3 * points; n++)
+        s->begin[n % 3] += (part[n] - rest[n]) / points;
+    s->start = at_rest ? score_rms(points, part, rest) : NAN;
+    if ((!at_rest && !later) || !points)
         return;
     double *then = arena_take(&s->arena, 3 * SCORE_POINTS, sizeof *then);
     if (at_rest) {
@@ -375,10 +407,12 @@ static void take_start(struct score *s, const double *xyz)
     } else {
         truth_at(s->truth, s->first, then);
         score_path(s, s->first, rest);
+        score_map_apply(&s->fine.map, xyz, part);
+        points = keep_known(rest, part);
     }
-    score_start_turn(LADDER_POINTS, rest, part, score_rms(LADDER_POINTS, part, rest),
-                     s->truth->scene.length, &s->turn);
-    if (!s->net.by_position)
+    score_start_turn(points, rest, part, score_rms(points, part, rest), s->truth->length,
+                     &s->turn);
+    if (!s->net.by_position && !s->truth->scene.pattern)
         score_start_strays(&s->truth->scene, &s->net, then, xyz, &s->strays);
     if (later &&
         !s->strays.exchanged) /* part of a sheet may have moved otherwise by then */
@@ -411,11 +445,12 @@ static enum status make_net(struct score *s, const struct frames *frames,
                             struct message *why)
 {
     const char *name = frames_name(frames);
-    const struct frames_net *net = frames_net(frames);
+    struct frames_net own = *frames_net(frames), *net = &own;
     const struct scene *scene = &s->truth->scene;
     double *rest = NULL;
     struct arena *arena = &s->arena;
 
+    CALL(score_net_complete(arena, scene, name, net, why));
     if (net->rest && !net->uv) {
         rest = arena_take(arena, 3 * (size_t)net->vertices, sizeof *rest);
         turn(look, net->vertices, net->rest, rest);
@@ -426,7 +461,7 @@ static enum status make_net(struct score *s, const struct frames *frames,
         score_net_map(arena, &s->net, net, scene, name, GRID_U, GRID_V, &s->grid.map, why));
     CALL(score_net_map(arena, &s->net, net, scene, name, LADDER_U, LADDER_V, &s->fine.map,
                        why));
-    if (net->linear && scene_sheets(scene) == 1)
+    if (net->linear && scene_sheets(scene) == 1 && !scene->pattern)
         CALL(map_points(s, net, name, why));
     score_contact_begin(arena, &s->contact, scene, net, &s->net);
     make_path(s);
@@ -461,7 +496,7 @@ static void take_own(struct score *s, int numbers, double *const x[4], const dou
                  off = fmax(self - times * dot, 0), whole = round(jump / s->interval),
                  moved = fabs(jump) * sqrt(3 * square / numbers);
     if (whole == 0 || fabs(jump / s->interval - whole) > WHOLE || change > square ||
-        off > LEFT * LEFT * far || moved < LEAST * s->truth->scene.length ||
+        off > LEFT * LEFT * far || moved < LEAST * s->truth->length ||
         off / far >= s->own.left)
         return;
     s->own.jump = jump, s->own.from = t[1], s->own.left = off / far;
@@ -519,7 +554,7 @@ static double floor_of(const struct score *s, const struct score_map *map,
                        const double *truth, double *seen)
 {
     score_map_seen(map, GRID_U, GRID_V, truth, seen);
-    const double off = score_rms(SCORE_POINTS, seen, truth) / s->truth->scene.length;
+    const double off = score_rms(SCORE_POINTS, seen, truth) / s->truth->length;
     return off < ROUNDING ? 0 : off;
 }
 
@@ -527,7 +562,7 @@ static double floor_of(const struct score *s, const struct score_map *map,
 static void judge(struct score *s)
 {
     const struct truth *known = &s->truth->known;
-    const double length = s->truth->scene.length;
+    const double length = s->truth->length;
     const size_t times = (size_t)s->truth->times;
 
     for (int n = s->fine.times - 1; n > 0; n--) /* a frame counts once */
@@ -557,7 +592,8 @@ static void judge(struct score *s)
         row->error = score_rms(SCORE_POINTS, row->got, row->truth) / length;
         if (s->points.used) /* then `seen` is what the file's own places see */
             row->floor = floor_of(s, &s->points, row->truth, seen);
-        row->floor = fmax(row->floor, floor_of(s, &s->grid.map, row->truth, seen));
+        const double floor = floor_of(s, &s->grid.map, row->truth, seen);
+        row->floor = isnan(floor) ? floor : fmax(row->floor, floor);
     }
 }
 
@@ -596,11 +632,13 @@ enum status score_read(const struct score_truth *truth, int count, const char *c
                        const struct score_look *look, struct score *s, struct message *why)
 {
     struct frames *frames = NULL;
+    struct frames_look how = look->frames;
     enum status st;
 
+    how.seams = pattern_starts_in_space(truth->scene.pattern);
     *s = (struct score){.truth = truth, .interval = INFINITY, .own.left = INFINITY};
     begin(s);
-    TRY(frames_open(count, paths, &look->frames, &frames, why));
+    TRY(frames_open(count, paths, &how, &frames, why));
     if (frames_scene(frames) && strcmp(frames_scene(frames), s->truth->scene.name) != 0)
         TRY(status_fail(why, STATUS_INPUT, "%s: is a run of %s; one of %s would be right",
                         paths[0], frames_scene(frames), s->truth->scene.name));

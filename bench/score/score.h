@@ -62,6 +62,8 @@ struct score_truth {
     const char *given;  /* the scene's name or path                                     */
     struct scene scene; /* as the truth moves: undamped where damping is no rate        */
     bool undamped;      /* the scene is damped, and its truth is not                    */
+    double length;      /* errors are divided by it: the sheet's; of one with an outline
+                           the square root of its area [m]                              */
     int times;          /* at which frames are judged                                   */
     int *at;            /* [times] their indices in `known`                             */
     bool moves;         /* cubics through the known times are its motion between them   */
@@ -107,14 +109,15 @@ struct score_view {
 
 /* A time of the truth with a frame at or near it, which is compared with the truth at the
  * frame's own time. Fields are mid-surfaces [SCORE_POINTS][3] [m], borrowed from the score;
- * numbers are divided by the length. */
+ * numbers are divided by score_truth.length. */
 struct score_time {
     double time;         /* [s]                                                         */
     bool moved;          /* the frame is of another time                                */
     double error;        /* rms over the material grid                                  */
     double bar;          /* of the truth                                                */
     double floor;        /* of the truth itself, bilinear between the net's vertices, or
-                            between the points of a result file's net                   */
+                            between the points of a result file's net; NaN: no triangle
+                            is so far from an outline that the truth is known around it */
     const double *known; /* the truth at `time`                                         */
     const double *truth; /* the truth at the frame's own time                           */
     const double *seen;  /* the truth, bilinear between the net's vertices              */
@@ -130,7 +133,8 @@ struct score {
     struct score_view grid; /* on the material grid, near the times that are judged */
     struct score_view fine; /* on the ladder's points, near all times that are known */
     double *path; /* [1 + fine.times][LADDER_POINTS][3] the truth at rest and at the
-                     times of `fine`, bilinear between the net's vertices [m]            */
+                     times of `fine`, bilinear between the net's vertices; of a sheet
+                     with an outline the truth itself [m]                                */
     struct score_strays strays;
     struct score_turn turn;
     int times;
@@ -169,7 +173,7 @@ void score_path(const struct score *score, double time, double *field);
 /* Fills rest[LADDER_POINTS][3] with the sheet at rest on the ladder's points. */
 void score_coarse_rest(const struct score *score, double *rest);
 
-/* Returns sqrt(mean over points of |a - b|^2). */
+/* Returns sqrt(mean over points of |a - b|^2), of those that both have: NaN if none. */
 double score_rms(int points, const double *a, const double *b);
 
 #endif

@@ -228,6 +228,8 @@ const struct command score_command = {
         "membrane or bending are (woven_hang, woven_level).\n"
         "Scenes that are damped by velocity_scale are judged undamped, as their truths\n"
         "are. Units are SI, and z points up.\n"
+        "Errors are over the length; of a sheet with an outline, whose frames need faces\n"
+        "(--rest: rest.obj of export), over the square root of its area.\n"
         "\n"
         "FRAMES is a .csv with lines t,u,v,x,y,z; .npz or .h5 with xyz [frames][n][3],\n"
         "uv [n][2] and t [frames]; .npy; .mdd or .pc2; .obj or .ply with a file a frame\n"

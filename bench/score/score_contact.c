@@ -6,6 +6,7 @@
 
 #include "models/contact/contact_law.h"
 #include "models/bodies/body_shape.h"
+#include "models/pattern.h"
 #include "models/vector.h"
 
 /* A sheet keeps a margin if it rests farther off than this many times the distance at which
@@ -16,8 +17,12 @@ void score_contact_begin(struct arena *arena, struct score_contact *c,
                          const struct scene *scene, const struct frames_net *frames,
                          const struct score_net *net)
 {
-    *c = (struct score_contact){
-        .scene = scene, .net = net, .work = {.keep_pairs = true, .shake = CROSSING_SHAKE}};
+    *c = (struct score_contact){.scene = scene,
+                                .net = net,
+                                .beside = frames->beside,
+                                .unsewn = frames->beside &&
+                                          pattern_starts_in_space(scene->pattern),
+                                .work = {.keep_pairs = true, .shake = CROSSING_SHAKE}};
     c->corner = score_net_triangles(arena, net, frames, scene, &c->triangles);
     c->work.most = (long)CROSSING_PAIRS_MOST * c->triangles;
 }
@@ -53,6 +58,8 @@ static enum status take_itself(struct score_contact *c, struct score_contact_eve
 {
     long pairs;
 
+    if (c->unsewn)
+        return STATUS_OK;
     CALL(intersection_count_mesh(&c->work, c->net->vertices, xyz, c->triangles, c->corner,
                                  &pairs));
     if (pairs <= c->event[SCORE_CONTACT_ITSELF_WORST].with.pairs)
@@ -112,6 +119,8 @@ void score_contact_end(struct score_contact *c, double time, double seconds,
     double way[3], distance;
 
     for (int n = 0; n < c->net->vertices; n++) {
+        if (c->beside && c->beside[n])
+            continue;
         vector_between(before + 3L * n, xyz + 3L * n, way);
         if (!(vector_length(way) <= SCORE_CONTACT_STILL * length * seconds))
             continue;
@@ -121,7 +130,7 @@ void score_contact_end(struct score_contact *c, double time, double seconds,
                                              .counts = crossing_faces,
                                              .least =
                                                  SCORE_CONTACT_REACH * length / s->scale};
-        if (intersection_nearest(s, &search))
+        if (!c->unsewn && intersection_nearest(s, &search))
             keep_least(c, SCORE_CONTACT_REST_ITSELF, time, search.least * s->scale, n, -1);
     }
 }

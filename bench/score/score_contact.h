@@ -42,7 +42,9 @@ struct score_contact_event {
 };
 
 struct score_contact {
-    const struct scene *scene;   /*                                           borrowed  */
+    const struct scene *scene; /*                                           borrowed  */
+    const bool *beside; /* frames.h                                           borrowed  */
+    bool unsewn; /* panels have no common vertices: whether they meet is not judged      */
     const struct score_net *net; /*                                           borrowed  */
     int triangles;
     int (*corner)[3];         /* [triangles] borrowed                                    */

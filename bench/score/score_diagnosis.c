@@ -121,7 +121,7 @@ static void add_ladder_time(const struct score *s, int frame, const double *rest
     const double
         size[LADDER_FLAWS] = {l->size[LADDER_DAMPING], l->size[LADDER_GRAVITY] - 1, 1, 1},
         t = s->fine.when[frame], *got = score_view_field(&s->fine, frame),
-        *fields = score_ladder_rung(l, LADDER_BASE, 0), length = s->truth->scene.length,
+        *fields = score_ladder_rung(l, LADDER_BASE, 0), length = s->truth->length,
         bar = l->bar[LADDER_BASE * l->times + (int)fmin(t / l->time[0], l->times - 1)];
     double truth[3 * LADDER_POINTS], base[3 * LADDER_POINTS], before[3 * LADDER_POINTS];
 
@@ -168,14 +168,14 @@ static bool falls_free(const struct scene *scene)
         moves = moves || g[c] != 0;
         thrown = thrown || v[c] != 0 || w[c] != 0;
     }
-    return moves && !thrown && !scene->support_count && !scene->obstacle_count &&
-           !scene->load_count && scene->drag == 0 && scene->air.density == 0 &&
-           scene->damping.kind == DAMPING_NONE;
+    return moves && !thrown && !scene->pattern && !scene->support_count &&
+           !scene->obstacle_count && !scene->load_count && scene->drag == 0 &&
+           scene->air.density == 0 && scene->damping.kind == DAMPING_NONE;
 }
 
 static void add_fall(const struct score *s, const double shift[3], struct sums *sums)
 {
-    const double length = s->truth->scene.length, *rest = s->path;
+    const double length = s->truth->length, *rest = s->path;
     double truth[3 * LADDER_POINTS];
 
     for (int frame = 0; frame < s->fine.times; frame++) {
@@ -440,7 +440,7 @@ static double squared(const struct score *s, const struct turned *t, double leas
                          *truth = s->row[n].truth + 3 * p;
             for (int c = 0; c < 3; c++) {
                 const double d = t->sign[c] * t->scale * x[t->axis[c]] - truth[c];
-                sum += d * d;
+                sum += isnan(d) ? 0 : d * d; /* beside the sheet */
             }
         }
     return sum;
@@ -474,15 +474,19 @@ static struct turned candidate(int n)
 static double nearest(const struct score_time *row, double length)
 {
     double sum = 0;
+    int few = 0;
 
     for (int k = 0; k < SCORE_FEW; k++) {
         const double *a = row->got + 3 * score_truth_few(k);
         double least = INFINITY;
+        if (isnan(a[0]))
+            continue;
+        few++;
         for (int p = 0; p < SCORE_POINTS; p++)
             least = fmin(least, vector_distance(a, row->truth + 3 * p));
         sum += least * least;
     }
-    return sqrt(sum / SCORE_FEW) / length;
+    return sqrt(sum / few) / length;
 }
 
 /* Returns whether an error is so much smaller than that of the frames as they are that
@@ -496,16 +500,20 @@ static bool is_better(double error, double as_is)
 /* Returns the best of all candidates; the frames as they are, if nothing is much better. */
 static struct turned best_turn(const struct score *s)
 {
-    const double length = s->truth->scene.length;
-    const int points = s->times * SCORE_FEW;
+    const double length = s->truth->length;
+    int points = 0;
     struct turned as_is = candidate(0), best = as_is;
     double least = squared(s, &as_is, INFINITY);
 
+    for (int k = 0; k < SCORE_FEW; k++)
+        points += s->times * !isnan(s->truth->rest[3 * score_truth_few(k)]);
     as_is.error = as_is.as_is = sqrt(least / points) / length;
     if (as_is.error < WORTH_IT)
         return as_is;
     for (int n = 1; n < ORDERS * SIGNS * PERMUTATIONS * SCALES; n++) {
         struct turned t = candidate(n);
+        if (t.order && s->truth->scene.pattern) /* it has no rows to take for columns */
+            continue;
         const double more = 1 + CHANGE_COSTS * changes(&t);
         const double sum = squared(s, &t, least / (more * more));
         if (sum * more * more < least) {
@@ -548,7 +556,7 @@ static double square_off(const struct score *s, int frame, double time)
 static struct clock compare(const struct score *s, const double *as_is, double speed,
                             double shift)
 {
-    const double last = s->fine.time[s->fine.times - 1], length = s->truth->scene.length;
+    const double last = s->fine.time[s->fine.times - 1], length = s->truth->length;
     struct clock clock = {speed, shift, NAN, NAN};
     double sum[2] = {0, 0};
     int times = 0;
@@ -621,13 +629,17 @@ static struct lead find_lead(const struct score *s, int frame, double lead)
     const double t = s->fine.when[frame], *got = score_view_field(&s->fine, frame),
                  last = s->fine.time[s->fine.times - 1];
     double at[3 * LADDER_POINTS], ahead[3 * LADDER_POINTS], dot = 0, square = 0;
+    int count = 0; /* of coordinates, without those beside the sheet */
 
     for (int k = 0; k < NEWTON && t + lead <= last + MOMENT; k++) {
-        dot = square = 0;
+        dot = square = 0, count = 0;
         score_path(s, t + lead, at);
         score_path(s, t + lead + MOMENT, ahead);
         for (int n = 0; n < 3 * LADDER_POINTS; n++) {
             const double v = (ahead[n] - at[n]) / MOMENT;
+            if (isnan(v * got[n]))
+                continue;
+            count++;
             dot += v * (got[n] - at[n]);
             square += v * v;
         }
@@ -637,9 +649,9 @@ static struct lead find_lead(const struct score *s, int frame, double lead)
     }
     const double left = score_rms(LADDER_POINTS, got, at),
                  way = score_rms(LADDER_POINTS, got, s->path);
-    return (struct lead){t, lead, sqrt(square / LADDER_POINTS), left,
-                         t + lead <= last && left <= SOUND_MOST * s->truth->scene.length +
-                                                         SOUND_SHARE * way};
+    return (struct lead){t, lead, count ? sqrt(square / (count / 3)) : 0, left,
+                         t + lead <= last &&
+                             left <= SOUND_MOST * s->truth->length + SOUND_SHARE * way};
 }
 
 /* Fills lead[fine.times] with those of the frames on the truth's way; returns how many. */
@@ -668,7 +680,7 @@ static double drift(const struct lead *lead, int count, int n)
 /* Returns the first lead behind the jump that stands out most; -1: none does. */
 static int find_jump(const struct score *s, const struct lead *lead, int count)
 {
-    const double least = JUMP_LEAST * s->truth->scene.length;
+    const double least = JUMP_LEAST * s->truth->length;
     double most = JUMP_TIMES;
     int at = -1;
 
@@ -776,6 +788,8 @@ static struct lines lines_of(const struct score *s, const struct score_time *row
             if (!along_v && grid_cut(s->truth->scene.sheets, i))
                 continue;
             const double wanted = piece(row->seen, a, b), there = piece(row->got, a, b);
+            if (isnan(wanted * there)) /* beside the sheet */
+                continue;
             l.rest += piece(s->truth->rest, a, b);
             whole += piece(row->truth, a, b);
             l.truth += wanted;
@@ -834,20 +848,21 @@ struct offsets {
     double off[3], square;
 };
 
-static void add_points(const struct scene_support *held, const struct score_time *row,
-                       struct offsets *offsets)
+static void add_points(const struct score *s, const struct scene_support *held,
+                       const struct score_time *row, struct offsets *offsets)
 {
-    const double NEAR = 1e-9;
+    const double NEAR = 1e-9, *wanted = s->truth->scene.pattern ? row->truth : row->seen;
 
     for (int p = 0; p < SCORE_POINTS; p++) {
         const double uv[2] = {p % GRID_U / (GRID_U - 1.), p / GRID_U / (GRID_V - 1.)};
         if (uv[0] < held->lo[0] - NEAR || uv[0] > held->hi[0] + NEAR ||
-            uv[1] < held->lo[1] - NEAR || uv[1] > held->hi[1] + NEAR)
+            uv[1] < held->lo[1] - NEAR || uv[1] > held->hi[1] + NEAR ||
+            isnan(wanted[3 * p]) || !scene_support_has(held, uv[0], uv[1]))
             continue;
         offsets->points++;
         for (int c = 0; c < 3; c++)
             if (held->fix & 1u << c) {
-                const double off = row->got[3 * p + c] - row->seen[3 * p + c];
+                const double off = row->got[3 * p + c] - wanted[3 * p + c];
                 offsets->off[c] += off;
                 offsets->square += off * off;
             }
@@ -865,7 +880,7 @@ static double mean(const struct offsets *offsets, double by[3])
 /* Reports, for a sheet that nothing holds, a shift that it begins with. */
 static void begins_off(const struct score *s, struct held_off *support)
 {
-    const double *by = s->begin, length = s->truth->scene.length, far = vector_length(by);
+    const double *by = s->begin, length = s->truth->length, far = vector_length(by);
 
     support->steady = far > HELD_MOST * length && s->start - far < SAME * far;
     support->most = support->steady ? far / length : 0;
@@ -884,8 +899,8 @@ static struct held_off find_support(const struct score *s)
     for (int n = 0; n < s->times; n++)
         for (int k = 0; k < scene->support_count; k++) {
             struct offsets one = {0};
-            add_points(&scene->supports[k], &s->row[n], &one);
-            add_points(&scene->supports[k], &s->row[n], &all);
+            add_points(s, &scene->supports[k], &s->row[n], &one);
+            add_points(s, &scene->supports[k], &s->row[n], &all);
             if (one.points && one.square / one.points > square) {
                 square = one.square / one.points;
                 support.which = k;
@@ -893,9 +908,9 @@ static struct held_off find_support(const struct score *s)
                 mean(&one, support.by);
             }
         }
-    support.most = sqrt(square) / scene->length;
+    support.most = sqrt(square) / s->truth->length;
     const double shift = mean(&all, support.shift);
-    support.steady = shift > HELD_MOST * scene->length &&
+    support.steady = shift > HELD_MOST * s->truth->length &&
                      all.square / all.points - shift * shift < SAME * SAME * shift * shift;
     if (!scene->support_count)
         begins_off(s, &support);
@@ -955,7 +970,7 @@ static bool say_still(const struct score *s, struct evidence *e)
     const double moved = score_rms(SCORE_POINTS, last->truth, s->truth->rest),
                  theirs = score_rms(SCORE_POINTS, last->got, s->truth->rest);
 
-    if (moved < STILL_MOST * s->truth->scene.length || theirs > STILL_MOST * moved)
+    if (moved < STILL_MOST * s->truth->length || theirs > STILL_MOST * moved)
         return false;
     say(e->d, SCORE_STILL, theirs / moved,
         "Did not move: %.2g %% of the truth's way at %g s; are forces switched on, are "
@@ -1096,7 +1111,7 @@ static bool say_scattered(const struct score *s, struct evidence *e)
     }
     if (apart < SCATTERED_LEAST)
         return false;
-    const double off = nearest(row, s->truth->scene.length);
+    const double off = nearest(row, s->truth->length);
     if (!is_better(off, row->error))
         return false;
     say(e->d, SCORE_ORDER, off,
@@ -1139,7 +1154,7 @@ static double sound_most(const struct score *s)
 
     for (int n = 0; n < s->times; n++)
         way = fmax(way, score_rms(SCORE_POINTS, s->row[n].truth, s->truth->rest));
-    return fmin(SOUND_MOST, SOUND_SHARE * way / s->truth->scene.length);
+    return fmin(SOUND_MOST, SOUND_SHARE * way / s->truth->length);
 }
 
 /* Returns whether another clock explains the error, and far better than the fit does, or
@@ -1275,7 +1290,8 @@ static bool is_sound(const struct score *s)
     bool sound = true;
 
     for (const struct score_time *row = s->row; row < s->row + s->times; row++)
-        sound = sound && row->error <= most + TIMES_FLOOR * (row->bar + row->floor);
+        sound =
+            sound && row->error <= most + TIMES_FLOOR * (row->bar + fmax(row->floor, 0));
     return sound;
 }
 
@@ -1343,6 +1359,9 @@ static bool say_sound(const struct score *s, struct evidence *e)
             "Nothing can be said against it: at most %.2g %% off, where the truth itself "
             "has an error bar of up to %.2g %%.",
             100 * worst->error, 100 * worst->bar);
+    else if (isnan(worst->floor))
+        say(e->d, SCORE_SOUND, worst->error,
+            "Nothing wrong was found: at most %.2g %% off.", 100 * worst->error);
     else
         say(e->d, SCORE_SOUND, worst->error,
             "Nothing wrong was found: at most %.2g %% off, the net's floor there %.2g %%.",

@@ -1,11 +1,13 @@
 #include "bench/score/score_net.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "models/grid.h"
 #include "models/metric/intersection.h"
+#include "models/pattern.h"
 #include "models/vector.h"
 
 /* Coordinates of lines of a net that differ by less than SAME_LINE are one line; a net
@@ -130,6 +132,115 @@ enum status score_net_make(struct arena *arena, const struct frames_net *frames,
                            rest ? "the rest mesh" : "the first frame", net, why);
     memcpy(net->uv, frames->uv, 2 * count * sizeof *net->uv);
     return STATUS_OK;
+}
+
+/* --- sheets with outlines --- */
+
+/* Moves the places of corners, of vt in metres, into the box. */
+static void scale_corners(const struct pattern *p, struct frames_net *net, double *place)
+{
+    double low[2] = {INFINITY, INFINITY};
+
+    for (int n = 0; n < 6 * net->triangles; n++)
+        low[n % 2] = fmin(low[n % 2], place[n]);
+    for (int n = 0; n < 6 * net->triangles; n++)
+        place[n] = (place[n] - low[n % 2]) / p->size[n % 2];
+}
+
+/* Takes the cells of the material grid that are on the sheet, each as two triangles. */
+static void cut_grid(struct arena *arena, struct frames_net *net)
+{
+    net->triangle = arena_take(arena, 2 * (size_t)net->vertices, sizeof *net->triangle);
+    for (int n = 0; n < 2 * (GRID_U - 1) * (GRID_V - 1); n++) {
+        int *c = net->triangle[net->triangles];
+        intersection_corners(GRID_U, n, c);
+        net->triangles += !net->beside[c[0]] && !net->beside[c[1]] && !net->beside[c[2]];
+    }
+}
+
+/* Takes the triangles of the scene's own mesh. */
+static enum status take_own(struct arena *arena, const struct scene *scene,
+                            const char *name, struct frames_net *net, struct message *why)
+{
+    const struct pattern *p = scene->pattern;
+    const struct mesh_flat *own = &p->mesh;
+    const int nodes = p->node ? p->nodes : own->nodes;
+
+    char count[128] = "";
+
+    if (own->triangles)
+        snprintf(count, sizeof count,
+                 ", and %d vertices, where the mesh of the scene has %d", net->vertices,
+                 nodes);
+    if (net->vertices != nodes || !own->triangles)
+        return status_fail(why, STATUS_INPUT,
+                           "%s: has no %s%s; --rest FILE, the rest.obj that export writes, "
+                           "would be right",
+                           name, p->node ? "places of corners (vt)" : "faces", count);
+    net->triangles = own->triangles;
+    net->triangle = arena_take(arena, (size_t)own->triangles, sizeof *net->triangle);
+    net->corner = arena_take(arena, (size_t)own->triangles, sizeof *net->corner);
+    for (int n = 0; n < 3 * own->triangles; n++) {
+        const int a = own->triangle[n / 3][n % 3], vertex = p->node ? p->node[a] : a;
+        double *place = net->corner[n / 3][n % 3],
+               *uv = net->uv ? net->uv + 2L * vertex : NULL;
+        net->triangle[n / 3][n % 3] = vertex;
+        for (int c = 0; c < 2; c++)
+            place[c] = own->at[a][c] / p->size[c];
+        if (uv && !p->node && hypot(uv[0] - place[0], uv[1] - place[1]) > EDGE)
+            return status_fail(
+                why, STATUS_INPUT,
+                "%s: vertex %d is at u, v = %g, %g, that of the mesh of %s at "
+                "%g, %g; its order, or --rest FILE with faces, would be right",
+                name, vertex + 1, uv[0], uv[1], scene->name, place[0], place[1]);
+    }
+    return STATUS_OK;
+}
+
+enum status score_net_complete(struct arena *arena, const struct scene *scene,
+                               const char *name, struct frames_net *net,
+                               struct message *why)
+{
+    if (!scene->pattern) {
+        for (int n = 0; net->beside && n < net->vertices; n++)
+            if (net->beside[n])
+                return status_fail(why, STATUS_INPUT,
+                                   "%s: is of a sheet with an outline; %s has none", name,
+                                   scene->name);
+        return STATUS_OK;
+    }
+    if (net->beside)
+        cut_grid(arena, net);
+    else if (net->corner)
+        scale_corners(scene->pattern, net, **net->corner);
+    else if (!net->triangles || scene->pattern->node)
+        CALL(take_own(arena, scene, name, net, why));
+    if (net->corner) {
+        net->uv = arena_take(arena, 2 * (size_t)net->vertices, sizeof *net->uv);
+        for (int n = 3 * net->triangles - 1; n >= 0; n--) /* of several the first */
+            memcpy(net->uv + 2L * net->triangle[n / 3][n % 3], net->corner[n / 3][n % 3],
+                   sizeof net->corner[n / 3][n % 3]);
+    }
+    return STATUS_OK;
+}
+
+int score_net_grid(int nu, int nv, int n)
+{
+    return (int)lround((double)(n / nu) * (GRID_V - 1) / (nv - 1)) * GRID_U +
+           (int)lround((double)(n % nu) * (GRID_U - 1) / (nu - 1));
+}
+
+/* Finds the place of a map's point, and tells whether it is on the sheet. */
+static bool point_at(const struct scene *scene, const struct score_map *map, int n,
+                     double uv[2])
+{
+    const int at = score_net_grid(map->nu, map->nv, n);
+
+    uv[0] = scene_sheet_inside(scene, (double)(n % map->nu) / (map->nu - 1));
+    uv[1] = (double)(n / map->nu) / (map->nv - 1);
+    if (scene->pattern)
+        uv[0] = at % GRID_U / (GRID_U - 1.), uv[1] = at / GRID_U / (GRID_V - 1.);
+    return !scene_void(scene, at % GRID_U, at / GRID_U);
 }
 
 /* --- rows and columns --- */
@@ -263,15 +374,12 @@ static void span(const double *const corner[3], int d, int count, int *from, int
 }
 
 /* Fills the points that lie in the triangle and not deeper in an earlier one. */
-static void map_triangle(const struct score_net *net, const struct scene *scene,
+static void map_triangle(const struct scene *scene, const double *const corner[3],
                          const int *vertex, double *inside, struct score_map *map)
 {
-    const double *corner[3];
     double height[3];
     int i0, i1, j0, j1;
 
-    for (int k = 0; k < 3; k++)
-        corner[k] = net->uv + 2 * vertex[k];
     const double area = cross(corner[0], corner[1], corner[2]);
     if (fabs(area) < SAME_LINE * SAME_LINE)
         return;
@@ -280,20 +388,23 @@ static void map_triangle(const struct score_net *net, const struct scene *scene,
         height[k] = fabs(area) / hypot(b[0] - a[0], b[1] - a[1]);
     }
     span(corner, 0, map->nu, &i0, &i1);
-    if (scene->sheets > 1) /* and those in the void beside it */
-        i0 = i0 > 0 ? i0 - 1 : 0, i1 = i1 < map->nu - 1 ? i1 + 1 : i1;
     span(corner, 1, map->nv, &j0, &j1);
+    if (scene->sheets > 1 || scene->pattern) /* those in the void beside it, or moved */
+        i0 = i0 > 0 ? i0 - 1 : 0, i1 = i1 < map->nu - 1 ? i1 + 1 : i1;
+    if (scene->pattern)
+        j0 = j0 > 0 ? j0 - 1 : 0, j1 = j1 < map->nv - 1 ? j1 + 1 : j1;
     for (int j = j0; j <= j1; j++)
         for (int i = i0; i <= i1; i++) {
-            const double x[2] = {scene_sheet_inside(scene, (double)i / (map->nu - 1)),
-                                 (double)j / (map->nv - 1)};
+            const int n = j * map->nu + i;
+            double x[2];
+            if (!point_at(scene, map, n, x))
+                continue;
             const double w[3] = {cross(x, corner[1], corner[2]) / area,
                                  cross(corner[0], x, corner[2]) / area,
                                  cross(corner[0], corner[1], x) / area};
             double least = INFINITY; /* distance from the nearest side, inside */
             for (int k = 0; k < 3; k++)
                 least = fmin(least, w[k] * height[k]);
-            const int n = j * map->nu + i;
             if (!(least > inside[n]))
                 continue;
             inside[n] = least;
@@ -312,22 +423,40 @@ static enum status map_triangles(const struct score_net *net,
     const int points = map->nu * map->nv;
     struct arena own = {0};
     double *inside = arena_take(&own, (size_t)points, sizeof *inside);
+    double at[2];
     int bare = -1;
 
-    for (int n = 0; n < points; n++)
+    for (int n = 0; n < points; n++) {
         inside[n] = -EDGE; /* a point may lie so far out of a triangle, in u and v */
-    for (int n = 0; n < frames->triangles; n++)
-        map_triangle(net, scene, frames->triangle[n], inside, map);
-    for (int n = 0; n < points && bare < 0; n++)
-        bare = inside[n] > -EDGE ? -1 : n;
+        if (frames->beside && !frames->beside[score_net_grid(map->nu, map->nv, n)]) {
+            inside[n] = INFINITY; /* it is a vertex */
+            for (int k = 0; k < 4; k++)
+                map->place[n][k] = score_net_grid(map->nu, map->nv, n);
+            map->weight[n][0] = 1;
+        }
+    }
+    for (int n = 0; n < frames->triangles; n++) {
+        const int *vertex = frames->triangle[n];
+        const double *corner[3];
+        for (int k = 0; k < 3; k++)
+            corner[k] = frames->corner ? frames->corner[n][k] : net->uv + 2L * vertex[k];
+        map_triangle(scene, corner, vertex, inside, map);
+    }
+    for (int n = 0; n < points; n++) {
+        const bool on = point_at(scene, map, n, at);
+        bare = bare < 0 && on && !(inside[n] > -EDGE) ? n : bare;
+        for (int k = 0; !on && k < 4; k++)
+            map->weight[n][k] = NAN;
+    }
     arena_clear(&own);
     if (bare < 0)
         return STATUS_OK;
     return status_fail(why, STATUS_INPUT,
                        "%s: its faces leave u = %.3g, v = %.3g of the sheet bare; all of "
-                       "u and v from 0 to 1 would be right",
+                       "%s would be right",
                        name, (double)(bare % map->nu) / (map->nu - 1),
-                       (double)(bare / map->nu) / (map->nv - 1));
+                       (double)(bare / map->nu) / (map->nv - 1),
+                       scene->pattern ? "its outline" : "u and v from 0 to 1");
 }
 
 /* Checks that each of several sheets has columns from edge to edge. */
@@ -351,13 +480,17 @@ static enum status check_sheets(const struct score_net *net, const struct scene 
     return STATUS_OK;
 }
 
-static enum status check_span(const struct score_net *net, const char *name,
+static enum status check_span(const struct score_net *net, const struct frames_net *frames,
+                              const struct scene *scene, const char *name,
                               struct message *why)
 {
+    const double *place = frames->corner ? **frames->corner : net->uv;
+    const int places = frames->corner ? 3 * frames->triangles : net->vertices;
+
     for (int d = 0; d < 2; d++) {
         double first = INFINITY, last = -INFINITY, beyond = INFINITY, before = -INFINITY;
-        for (int n = 0; n < net->vertices; n++) {
-            const double x = net->uv[2 * n + d];
+        for (int n = 0; n < places; n++) {
+            const double x = place[2 * n + d];
             first = fmin(first, x);
             last = fmax(last, x);
             beyond = x > 1 + EDGE ? fmin(beyond, x) : beyond;
@@ -370,7 +503,8 @@ static enum status check_span(const struct score_net *net, const char *name,
                 "%s: %c runs from %.6g to %.6g; uv of the sheet must run from "
                 "0 to 1, not in metres, pixels or per cent",
                 name, "uv"[d], first, last);
-        if (first > EDGE || last < 1 - EDGE)
+        if (first > EDGE || last < 1 - EDGE ||
+            (scene->pattern && (first < -EDGE || last > 1 + EDGE)))
             return status_fail(why, STATUS_INPUT,
                                "%s: %c runs from %.6g to %.6g; from 0 to 1, from edge to "
                                "edge of the sheet, would be right",
@@ -421,11 +555,11 @@ enum status score_net_map(struct arena *arena, struct score_net *net,
     *map = (struct score_map){nu, nv, .sheets = scene->sheets,
                               .place = arena_take(arena, points, sizeof *map->place),
                               .weight = arena_take(arena, points, sizeof *map->weight)};
-    CALL(check_span(net, name, why));
+    CALL(check_span(net, frames, scene, name, why));
     CALL(check_sheets(net, scene, name, why));
     const int columns = count_lines(p, net->vertices, 0),
               rows = count_lines(p, net->vertices, 1);
-    if (sort_rows(p, columns, rows, net->vertices)) {
+    if (!scene->pattern && sort_rows(p, columns, rows, net->vertices)) {
         net->columns = columns, net->rows = rows;
         map_rows(scene, p, columns, rows, map);
     } else if (frames->triangles)

@@ -1,6 +1,7 @@
 /* score_net.h - a net of vertices with material coordinates, and how values at its vertices
  * become values at points of the sheet: bilinear where the vertices stand in rows and
- * columns (unevenly, or with a row outside of the sheet, too), else linear in triangles.
+ * columns (unevenly, or with a row outside of the sheet, too), else linear in triangles. Of
+ * a sheet with an outline it is always triangles, and points beside the sheet are NaN.
  */
 #ifndef SCORE_NET_H
 #define SCORE_NET_H
@@ -10,7 +11,8 @@
 #include "models/scene.h"
 
 /* Weights of four vertices for each of nu x nv points (u, v) = (i/(nu-1), j/(nv-1)), u
- * fastest. */
+ * fastest; NaN beside a sheet with an outline, where points are the material grid's nearest
+ * ones. */
 struct score_map {
     int nu, nv;
     int used, *vertex; /* [used] those that have a weight                              */
@@ -27,6 +29,17 @@ struct score_net {
     double *uv;        /* [vertices][2]                                                */
     bool by_position;  /* uv were found from rest positions                            */
 };
+
+/* Completes the frames' net, of which *net is a copy, to triangles of a sheet with an
+ * outline, in the arena: corners' places are of its box, from 0 to 1; where the file has no
+ * triangles (of a garment: no places of corners) they are the scene's own mesh, in its
+ * order. Leaves others as they are. STATUS_INPUT: it has neither. */
+enum status score_net_complete(struct arena *arena, const struct scene *scene,
+                               const char *name, struct frames_net *net,
+                               struct message *why);
+
+/* Returns the material grid's index of the point nearest to the n-th of nu x nv. */
+int score_net_grid(int nu, int nv, int n);
 
 /* Finds material coordinates, which lie in the arena: the net's own; else those of its rest
  * mesh; else, where each vertex lies on a flat rest shape, from the first frame, xyz

@@ -1,6 +1,7 @@
 #include "bench/score/score_print.h"
 
 #include <assert.h>
+#include <math.h>
 #include <string.h>
 
 #include "bench/data/json.h"
@@ -44,6 +45,13 @@ static void range_text(const struct score *s, size_t size, char *text)
         used += snprintf(text + used, size - (size_t)used,
                          ", at %d of them by the nearest frame, compared at its own time",
                          moved);
+    if (s->truth->scene.pattern)
+        used +=
+            snprintf(text + used, size - (size_t)used,
+                     "; L is the square root of the sheet's area, %.4g m; no diagnosis of "
+                     "the order of vertices or of a free fall, as the sheet has an "
+                     "outline",
+                     s->truth->length);
     snprintf(text + used, size - (size_t)used, "%s%s",
              s->net.by_position ? "; vertices were matched by their rest positions" : "",
              s->truth->undamped ? "; the scene moves undamped here, as its truth does"
@@ -82,7 +90,8 @@ static void say_contact(const struct score *s, struct score_print_said *said)
     static const char *const keys[] = {"frame", "time", "value", "pairs", "triangles"};
     const struct score_contact *c = &s->contact;
 
-    if (!c->event[SCORE_CONTACT_ITSELF].frame && !c->event[SCORE_CONTACT_BODY].frame)
+    if (!c->unsewn && !c->event[SCORE_CONTACT_ITSELF].frame &&
+        !c->event[SCORE_CONTACT_BODY].frame)
         snprintf(next(said, SCORE_PRINT_PARTS, "")->text, sizeof said->saying->text,
                  "No frame passes through %s%s.", scene_sheet_other(&s->truth->scene),
                  s->truth->scene.obstacle_count ? " or has a vertex in a body" : "");
@@ -179,9 +188,12 @@ static void print_json(const struct score *s, const struct score_diagnosis *d,
         const struct score_time *row = &s->row[n];
         fputs(n ? ", {" : "{", file);
         print_text(file, "scene", scene);
-        fprintf(file,
-                ", \"time\": %.17g, \"error\": %.17g, \"bar\": %.17g, \"floor\": %.17g}",
-                row->time, row->error, row->bar, row->floor);
+        fprintf(file, ", \"time\": %.17g, \"error\": %.17g, \"bar\": %.17g, \"floor\": ",
+                row->time, row->error, row->bar);
+        if (isnan(row->floor))
+            fputs("null}", file);
+        else
+            fprintf(file, "%.17g}", row->floor);
     }
     score_print_say(s, d, &said);
     print_said(&said, file);

@@ -20,8 +20,8 @@ def along(line, a):
 
 
 def place(outline, hole, a, b):
-    """The point at a, b of [0, 1] x [0, 1]; with a hole a goes around, from the middle of the second
-    side, which is the hole's first point, and b inwards."""
+    """The point at a, b of [0, 1] x [0, 1]; with a hole a goes around, from the middle of the
+    second side, where the hole's first point is, and b inwards."""
     if hole:
         return between(along(outline, 1.5 + 4 * a), along(hole, len(hole) * a), b)
     return between(along(outline, a), along(outline, 3 - a), b)
@@ -29,8 +29,8 @@ def place(outline, hole, a, b):
 
 def lay(scene, text, net):
     """Puts a net of so many elements along a and b in place of the exported one: x, count, held,
-    beside, shells, and samples {(u, v): vertex}. What is held is clamped, as by the export's vertices
-    outside, and is all of a side."""
+    beside, shells, and samples {(u, v): vertex}. What is held is clamped, as by the vertices outside
+    that the export has, and is all of a side."""
     outline, hole = (re.search(key + r": (\[\[.*\]\])", text) for key in ("outline", "holes"))
     outline, hole = json.loads(outline[1]), json.loads(hole[1])[0] if hole else []
     n, m = net

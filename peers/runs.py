@@ -69,6 +69,8 @@ def drive(place, name, folder, out, settings):
     export.write_plain(scene)
     if scene.fabric:
         print(f"{name:<10} of this fabric it loses {export.LOST[name]}", file=sys.stderr)
+    if scene.meets_itself:
+        print(f"{name:<10} its sheet does not meet itself", file=sys.stderr)
     raw = pathlib.Path(folder) / "frames.txt"
     run = started(command(place, name) + [str(folder), str(raw), *settings])
     told = [line for line in run.stdout.splitlines() if line.startswith('{"version')]
@@ -121,9 +123,12 @@ def net_of(scene, net):
 
 
 def export_scene(program, scene, net, folder, changes=()):
-    run = subprocess.run([program, "export", scene, "--points", net, "--out", str(folder),
-                          *(word for change in changes for word in ("--set", change))],
-                         capture_output=True, text=True)
+    """On so many points, or the scene's own mesh."""
+    words = [program, "export", scene, "--out", str(folder),
+             *(word for change in changes for word in ("--set", change))]
+    run = subprocess.run([*words, "--points", net], capture_output=True, text=True)
+    if "has a mesh of its own" in run.stderr:
+        run = subprocess.run(words, capture_output=True, text=True)
     if run.returncode:
         raise export.Refused(said(run))
 

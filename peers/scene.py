@@ -30,6 +30,8 @@ LOST = {
     "mujoco": "warp and weft: it has E, nu and h of the isotropic mean",
     "rapier3d": "Y12, and of bending all but one frequency for all hinges"}
 WITHOUT_SPRINGS = ("calculix", "mujoco")
+# Who takes any mesh, for it has no hinges, with its edges as links; and capsules, and any number.
+ANY_MESH = ("bullet",)
 
 
 class Refused(Exception):
@@ -51,6 +53,9 @@ class Scene:
         self.times = [float(r["time"]) for r in rows(self.folder / "times.csv")
                       if r["what"] == "truth"]
         text = (self.folder / "scene.yaml").read_text()
+        snapshots = re.search(r"^snapshots: (.*)$", text, re.M)
+        if snapshots and not self.times:  # without a truth
+            self.times = json.loads(snapshots[1])
         self.gravity = json.loads(re.search(r"^gravity: (.*)$", text, re.M)[1])
         kind, value = re.search(r"^damping: {kind: (\w+)(?:, value: (.*))?}", text, re.M).groups()
         self.damping = float(value or 0)  # 1/s
@@ -60,6 +65,11 @@ class Scene:
         self.obstacles = rows(obstacles) if obstacles.exists() else []
         self.ball = [[float(r[c]) for c in ("x", "y", "z", "radius", "friction")]
                      for r in self.obstacles if r["kind"] == "sphere"]
+        self.capsules = [[*json.loads(a), *json.loads(b), float(radius), float(friction)]
+                         for a, b, radius, friction in re.findall(
+                             r"- capsule:\n +from: (.*)\n +to: (.*)\n +radius: (.*)\n"
+                             r" +friction: (.*)$", text, re.M)]
+        self.meets_itself = re.search(r"^contact: {self: true", text, re.M)
 
     def read_material(self, material):
         value = {r["quantity"]: float(r["value"]) for r in material}
@@ -89,6 +99,12 @@ class Scene:
         """[a, b] of the distance a + b t^2 beyond which a vertex is lost."""
         size = max(math.dist(self.x[0], x) for x in self.x)
         return [REACH * size, REACH * math.hypot(*self.gravity) / 2]
+
+    def edges(self):
+        """Of any mesh, as springs of no stiffness, as long as they start."""
+        sides = {tuple(sorted(side)) for a, b, c in self.faces()[0]
+                 for side in ((a, b), (b, c), (c, a))}
+        return [(a, b, 0.0, math.dist(self.x[a], self.x[b]), "spring") for a, b in sorted(sides)]
 
     def faces(self):
         """Triangles of the sheet, and those between vertices outside of it and the held row beside,
@@ -141,9 +157,9 @@ class Scene:
 def refuse(scene, name):
     """Raises a sentence about what the driver of a simulator does not hand over; a driver itself
     tells what its simulator cannot."""
-    if not scene.bends:
+    if not scene.bends and name not in ANY_MESH:
         raise Refused("the drivers hand flat sheets over: the export tells no hinges of others")
-    if not scene.springs and name not in WITHOUT_SPRINGS:
+    if scene.bends and not scene.springs and name not in WITHOUT_SPRINGS:
         raise Refused("the driver needs springs, and the export tells none: nets along u and v "
                       "cannot hold this warp")
     if "\n  softening:" in (scene.folder / "scene.yaml").read_text():
@@ -151,7 +167,9 @@ def refuse(scene, name):
     for file in "loads", "paths", "velocities":
         if (scene.folder / f"{file}.csv").exists():
             raise Refused(f"the drivers hand no {file} over")
-    if [r["kind"] for r in scene.obstacles] not in ([], ["sphere"]):
+    kinds = [r["kind"] for r in scene.obstacles]
+    capsules = name in ANY_MESH and {*kinds} <= {"sphere", "capsule"}
+    if kinds not in ([], ["sphere"]) and not capsules:
         raise Refused("the drivers hand one ball over and no other obstacle: no truth has one")
     if scene.drag:
         raise Refused("the drivers hand mass damping over, no other drag")
@@ -162,7 +180,8 @@ def refuse(scene, name):
 def write_plain(scene):
     faces, clamp = scene.faces()
     outside = len(scene.x) - scene.count
-    springs = [(*s[:4], int(s[4] == "spring diagonal")) for s in scene.springs]
+    springs = [(*s[:4], int(s[4] == "spring diagonal"))
+               for s in (scene.springs if scene.bends else scene.edges())]
     lists = {
         **{name: [getattr(scene, name)] for name in ("E", "nu", "h", "stretch", "shear", "count",
                                                      "columns", "damping")},
@@ -170,8 +189,9 @@ def write_plain(scene):
         "held": sorted(scene.held),
         "mass": scene.mass + [0] * outside,
         **{name: [number for row in table for number in row] for name, table in (
-            ("ball", scene.ball), ("x", scene.x), ("springs", springs), ("faces", faces),
-            ("clamp", clamp), ("hinges", scene.hinges(faces + clamp)))}}
+            ("ball", scene.ball), ("capsules", scene.capsules), ("x", scene.x),
+            ("springs", springs), ("faces", faces), ("clamp", clamp),
+            ("hinges", scene.hinges(faces + clamp) if scene.bends else []))}}
     (scene.folder / "plain.txt").write_text("".join(
         " ".join([name, *map(repr, numbers)]) + "\n" for name, numbers in lists.items()))
 

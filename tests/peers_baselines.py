@@ -175,6 +175,22 @@ def fabrics():
     says("softening", export.Refused, "no softening", export.refuse, soft, "calculix")
 
 
+def garments():
+    """A mesh that is sewn, on capsules: for who needs no hinges."""
+    runs.export_scene(program, "shirt", "5,5", folder / "shirt")
+    shirt = export.Scene(folder / "shirt")
+    export.refuse(shirt, "bullet")
+    says("a garment", export.Refused, "no hinges", export.refuse, shirt, "jolt")
+    check("times without a truth", shirt.times == [0.1, 0.2, 0.3, 0.5])
+    check("capsules and a ball", len(shirt.ball) == 1 and shirt.meets_itself and
+          shirt.capsules[1] == [-0.12, 0, 0.5, 0.12, 0, 0.5, 0.06, 0.3])
+    edges = shirt.edges()
+    check("edges as links", len({frozenset(e[:2]) for e in edges}) == len(edges) and
+          {v for e in edges for v in e[:2]} == set(range(shirt.count)))
+    export.write_plain(shirt)
+    check("no hinges", "\nhinges\n" in (shirt.folder / "plain.txt").read_text())
+
+
 def kept_rows():
     kept = baselines.read(peers / "baselines.csv")
     check("the columns are those that are promised", baselines.HEAD == HEAD)
@@ -195,5 +211,6 @@ merging()
 protocol()
 handed_over()
 fabrics()
+garments()
 kept_rows()
 finish()

@@ -9,6 +9,8 @@
  * mean along u and v. Springs of the rim, half as stiff in the export, are as stiff as the
  * others
  *
+ * Of a mesh that is no grid, body=pbd has the edges as links. Capsules are shapes of Bullet's; the
+ * sheet does not meet itself.
  * Mass damping c: velocities lose c step of themselves in a step, kDP; the springs have none.
  * How it is run: scene.py.
  */
@@ -21,6 +23,7 @@
 #include <BulletSoftBody/btSoftRigidDynamicsWorld.h>
 #include <btBulletDynamicsCommon.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -107,19 +110,43 @@ static void still_air(btSoftBodyWorldInfo &info, const btVector3 &g)
     info.m_gravity = g;
 }
 
-/* A ball that stands still. The contact's friction is the product of both, so its own is 1. */
-static void add_ball(btDynamicsWorld *world, const Scene &scene, btSoftBody *sheet, int kind)
+static void add_body(btDynamicsWorld *world, btCollisionShape *shape,
+                     const btTransform &place, double friction)
+{
+    auto *body = new btRigidBody(0, nullptr, shape);
+    body->setWorldTransform(place);
+    body->setFriction(friction);
+    world->addRigidBody(body);
+}
+
+/* Balls and capsules that stand still. The contact's friction is the product of both, so
+ * the sheet's is 1. */
+static void add_obstacles(btDynamicsWorld *world, const Scene &scene, btSoftBody *sheet,
+                          int kind)
 {
     for (size_t n = 0; n < scene.rows("ball", 5); n++) {
         const double *r = scene.row("ball", 5, n);
-        auto *ball = new btRigidBody(0, nullptr, new btSphereShape(r[3]));
-        ball->setWorldTransform(
-            btTransform(btQuaternion::getIdentity(), btVector3(r[0], r[1], r[2])));
-        ball->setFriction(1);
-        world->addRigidBody(ball);
-        sheet->m_cfg.kDF = r[4];
-        sheet->m_cfg.collisions = kind;
+        add_body(world, new btSphereShape(r[3]),
+                 btTransform(btQuaternion::getIdentity(), btVector3(r[0], r[1], r[2])),
+                 r[4]);
     }
+    double pitch = INFINITY;
+    for (size_t n = 0; n < scene.rows("capsules", 8); n++) { /* Bullet's lie along z here */
+        const double *r = scene.row("capsules", 8, n);
+        const btVector3 from(r[0], r[1], r[2]), to(r[3], r[4], r[5]), z(0, 0, 1);
+        add_body(world, new btCapsuleShapeZ(r[6], (to - from).length()),
+                 btTransform(shortestArcQuat(z, (to - from).normalized()), (from + to) / 2),
+                 r[7]);
+        pitch = std::min(pitch, r[6] / 4);
+    }
+    if (pitch < INFINITY) { /* distances are kept on a grid, of 0.25 m as it comes */
+        sheet->getWorldInfo()->m_sparsesdf.setDefaultVoxelsz(pitch);
+        sheet->getWorldInfo()->m_sparsesdf.Reset();
+    }
+    if (scene.rows("ball", 5) + scene.rows("capsules", 8) == 0)
+        return;
+    sheet->m_cfg.kDF = 1;
+    sheet->m_cfg.collisions = kind;
 }
 
 struct World {
@@ -143,12 +170,15 @@ static World make_world(const Scene &scene, std::map<std::string, std::string> &
         sheet->m_cfg.piterations = std::stoi(set["iterations"]);
         sheet->m_cfg.kDP = lost;
         world->addSoftBody(sheet);
-        add_ball(world, scene, sheet, btSoftBody::fCollision::SDF_RS);
+        add_obstacles(world, scene, sheet, btSoftBody::fCollision::SDF_RS);
         return {world, sheet};
     }
     if (lost > 0)
         throw std::runtime_error("Bullet's implicit springs have no drag: nothing reads "
                                  "m_cfg.drag or setDampingCoefficient()");
+    if (scene.number("stretch") == 0)
+        throw std::runtime_error("Bullet's implicit springs have one stiffness, and those of a "
+                                 "mesh that is no grid differ");
     auto *bodies = new btDeformableBodySolver();
     auto *solver = new btDeformableMultiBodyConstraintSolver();
     solver->setDeformableSolver(bodies);
@@ -158,7 +188,7 @@ static World make_world(const Scene &scene, std::map<std::string, std::string> &
     world->setGravity(gravity);
     auto *sheet = make_sheet(world->getWorldInfo(), scene);
     world->addSoftBody(sheet);
-    add_ball(world, scene, sheet, btSoftBody::fCollision::SDF_RD);
+    add_obstacles(world, scene, sheet, btSoftBody::fCollision::SDF_RD);
     world->addForce(sheet,
                     new btDeformableMassSpringForce(scene.number("stretch"), 0, true,
                                                     scene.number("shear")));

@@ -25,6 +25,8 @@ MOST = 2000  # increments to rest
 
 def elements(scene):
     """(corners and midsides in CalculiX's order, the vertex in the middle) of each."""
+    if hasattr(scene, "shells"):  # a net of outlines.py
+        return scene.shells
     n, m = scene.columns, scene.count // scene.columns
     if n % 2 == 0 or m % 2 == 0:
         sys.exit(f"{n} x {m} points: an S8R needs two by two cells, so odd counts of points")
@@ -115,6 +117,8 @@ def positions(scene, moved):
         if v < scene.count:
             x[v] = [a + b for a, b in zip(scene.x[v], d)]
     for ring, middle in elements(scene):
+        if middle is None:
+            continue
         x[middle] = [sum(x[v][c] for v in ring[4:]) / 2 - sum(x[v][c] for v in ring[:4]) / 4
                      for c in range(3)]
     return x

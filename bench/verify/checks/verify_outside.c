@@ -78,7 +78,7 @@ static void add_swing(struct verify_subject *s)
                            verify_note(s, "mesh_error_m") + verify_note(s, "step_error_m"));
 }
 
-/* --- Denim, at rest and in motion; the tables have scene and settings. */
+/* --- Denim, at rest and in motion, and outlines; the tables have scene and settings. */
 
 #define REST   5e-3, "half of what is asked of solids, on a net as fine as theirs"
 #define MOTION 0.01, "asked of solids"
@@ -89,30 +89,49 @@ static const struct verify_subject resting[] = {
     {NULL}};
 static const struct verify_subject moving[] = {
     {"shell_selective_3,shell_3", MOTION, {30}, .dear = true}, {NULL}};
-static const struct verify_field rest_field = {resting}, motion_field = {moving};
+static const struct verify_subject outlined[] = {
+    {"triangles", MOTION, {40}, {40}, 0, "mid-edge", {"discretization.bending=midedge"}},
+    {"mass_spring", 0, "implicit Euler damps", {40}, {40}},
+    {"vbd", 0, "implicit Euler damps", {40}, {40}},
+    {NULL}};
+static const struct verify_field rest_field = {resting}, motion_field = {moving},
+                                 outline_field = {outlined};
 
-enum { DENIM_POINTS = 11 * 11, DENIM_TIMES = 3, DENIM = 3 };
+enum { MOST_POINTS = 11 * 11, MOTION_TIMES = 3, DENIM = 3, OUTLINES = 2 };
 static const char *const rest_tables[DENIM] = {"calculix_denim_square_rest",
                                                "calculix_denim_edge_drop_rest",
                                                "calculix_denim_flag_rest"};
 static const char *const motion_tables[DENIM] = {"calculix_denim_square_motion",
                                                  "calculix_denim_edge_drop_motion",
                                                  "calculix_denim_flag_motion"};
+static const char *const outline_tables[OUTLINES] = {"calculix_trapezoid_motion",
+                                                     "calculix_hole_motion"};
+
+/* Returns how many points a table has: the rows of its first time. */
+static int points_of(const struct reference *table)
+{
+    int n = 1;
+
+    while (n < MOST_POINTS && n < reference_rows(table) &&
+           reference_number(table, n, "t") == reference_number(table, 0, "t"))
+        n++;
+    return n;
+}
 
 /* Opens a table; computes its points, one block of rows for each time. Returns a trial that
  * did not live if it cannot be read. */
-static struct verify_trial open_denim(struct verify_subject *s, const char *table,
-                                      double *uvw)
+static struct verify_trial open_field(struct verify_subject *s, const char *table,
+                                      double uvw[MOST_POINTS][3])
 {
     struct verify_sheet *sheet = s->sheet;
     struct verify_trial none = {0};
 
     if (!verify_sheet_table(sheet, table))
         return none;
-    for (int n = 0; n < DENIM_POINTS; n++, uvw += 3) {
-        uvw[0] = reference_number(sheet->table, n, "u");
-        uvw[1] = reference_number(sheet->table, n, "v");
-        uvw[2] = 0.5;
+    for (int n = 0; n < points_of(sheet->table); n++) {
+        uvw[n][0] = reference_number(sheet->table, n, "u");
+        uvw[n][1] = reference_number(sheet->table, n, "v");
+        uvw[n][2] = 0.5;
     }
     const char *scene = reference_note(sheet->table, "scene");
     const char *set = reference_note(sheet->table, "set");
@@ -128,44 +147,55 @@ static struct verify_trial open_denim(struct verify_subject *s, const char *tabl
 
 /* Judges the rms distance over the length at one of the table's times, if it is the worst.
  */
-static void judge_denim(struct verify_trial *t, int time, double length, const double *xyz)
+static void judge_field(struct verify_trial *t, int time, double length, const double *xyz)
 {
     const struct reference *table = t->subject->sheet->table;
-    const int first = time * DENIM_POINTS;
+    const int points = points_of(table), first = time * points;
     double square = 0;
 
-    for (int n = 0; n < DENIM_POINTS; n++, xyz += 3)
+    for (int n = 0; n < points; n++, xyz += 3)
         square += pow(xyz[0] - reference_number(table, first + n, "x"), 2) +
                   pow(xyz[1] - reference_number(table, first + n, "y"), 2) +
                   pow(xyz[2] - reference_number(table, first + n, "z"), 2);
-    const double error = sqrt(square / DENIM_POINTS) / length;
+    const double error = sqrt(square / points) / length;
     if (time == 0 || verify_row_worse(error, t->row->error) != t->row->error)
         verify_row_judge_error(t->row, error, reference_number(table, first, "bar"));
 }
 
 static void add_resting(struct verify_subject *s)
 {
-    double uvw[DENIM_POINTS][3], xyz[DENIM_POINTS][3];
-    struct verify_trial t = open_denim(s, rest_tables[s->at], uvw[0]);
+    double uvw[MOST_POINTS][3], xyz[MOST_POINTS][3];
+    struct verify_trial t = open_field(s, rest_tables[s->at], uvw);
 
-    if (t.row && verify_trial_equilibrium(&t, DENIM_POINTS, uvw[0], xyz[0]))
-        judge_denim(&t, 0, verify_note(s, "length"), xyz[0]);
+    if (t.row && verify_trial_equilibrium(&t, points_of(s->sheet->table), uvw[0], xyz[0]))
+        judge_field(&t, 0, verify_note(s, "length"), xyz[0]);
+}
+
+static void judge_motion(struct verify_subject *s, const char *table)
+{
+    double time[MOTION_TIMES], uvw[MOST_POINTS][3], xyz[MOTION_TIMES * MOST_POINTS][3];
+    struct verify_trial t = open_field(s, table, uvw);
+
+    if (!t.row)
+        return;
+    const int points = points_of(s->sheet->table);
+    for (int n = 0; n < MOTION_TIMES; n++)
+        time[n] = reference_number(s->sheet->table, n * points, "t");
+    settings_set(&t.settings, "time.step=0.001");
+    if (!verify_trial_motion(&t, MOTION_TIMES, time, points, uvw[0], xyz[0]))
+        return;
+    for (int n = 0; n < MOTION_TIMES; n++)
+        judge_field(&t, n, verify_note(s, "length"), xyz[n * points]);
 }
 
 static void add_moving(struct verify_subject *s)
 {
-    double time[DENIM_TIMES], uvw[DENIM_POINTS][3], xyz[DENIM_TIMES][DENIM_POINTS][3];
-    struct verify_trial t = open_denim(s, motion_tables[s->at], uvw[0]);
+    judge_motion(s, motion_tables[s->at]);
+}
 
-    if (!t.row)
-        return;
-    for (int n = 0; n < DENIM_TIMES; n++)
-        time[n] = reference_number(s->sheet->table, n * DENIM_POINTS, "t");
-    settings_set(&t.settings, "time.step=0.001");
-    if (!verify_trial_motion(&t, DENIM_TIMES, time, DENIM_POINTS, uvw[0], xyz[0][0]))
-        return;
-    for (int n = 0; n < DENIM_TIMES; n++)
-        judge_denim(&t, n, verify_note(s, "length"), xyz[n][0]);
+static void add_outline(struct verify_subject *s)
+{
+    judge_motion(s, outline_tables[s->at]);
 }
 
 /* --- Plates let go, on the finest nets of `transient`; a thin shell is to be as good as a
@@ -220,4 +250,5 @@ const struct verify_check verify_outside = {
               {&strip_field, add_swing, 1, .table = "calculix_swing_h5mm"},
               {&rest_field, add_resting, DENIM, .every = DENIM},
               {&motion_field, add_moving, DENIM, .every = DENIM},
+              {&outline_field, add_outline, OUTLINES, .every = OUTLINES},
               {&plate_field, add_plate, 2, .every = 2}}};

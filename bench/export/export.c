@@ -552,6 +552,33 @@ static void export_mesh_obj(struct export_job *j, struct output *out)
     }
 }
 
+/* Writes the scene's own mesh for scene.yaml: the start in the pose's axes, the pattern. */
+static void export_mesh_sheet(struct export_job *j, struct output *out)
+{
+    const struct pattern *p = j->scene.pattern;
+    struct mesh_flat flat = {0};
+
+    if (pattern_sewn(p, &flat) != STATUS_OK)
+        arena_end();
+    output_print(out, "# the sheet of %s; vt = the flat pattern [m]\no sheet\n",
+                 j->scene.name);
+    for (int n = 0; n < flat.nodes; n++) {
+        const double *at = flat.start ? flat.start[n] : flat.at[n];
+        output_print(out, "v %.17g %.17g %.17g\n", at[0] + p->corner[0],
+                     at[1] + p->corner[1], flat.start ? at[2] : 0);
+    }
+    for (int n = 0; n < 3 * flat.triangles; n++) {
+        const double *at = mesh_flat_place(&flat, n / 3, n % 3);
+        output_print(out, "vt %.17g %.17g\n", at[0] + p->corner[0], at[1] + p->corner[1]);
+    }
+    for (int n = 0; n < flat.triangles; n++) {
+        const int *v = flat.triangle[n];
+        output_print(out, "f %d/%d %d/%d %d/%d\n", v[0] + 1, 3 * n + 1, v[1] + 1, 3 * n + 2,
+                     v[2] + 1, 3 * n + 3);
+    }
+    mesh_flat_clear(&flat);
+}
+
 /* Writes a body as it lies in the scene, in metres. */
 static void export_mesh_body(struct export_job *j, struct output *out)
 {
@@ -991,7 +1018,8 @@ static void export_numbers_velocities(struct export_job *j, struct output *out)
     }
 }
 
-#define MESH_FILE "obstacle_%d.obj"
+#define MESH_FILE  "obstacle_%d.obj"
+#define SHEET_FILE "sheet.obj"
 
 /* --- scene.yaml: what was set is in it, and what its truth changes; comments are not ---
  */
@@ -1025,18 +1053,53 @@ static void tell_fabric(const struct law_fabric *f, struct output *out)
         put_words(out, "  softening: [#, #]\n", f->softening);
 }
 
+/* Puts the lines of an outline, or the name of the mesh. */
+static void put_pattern_lines(const struct scene *s, struct output *out)
+{
+    const struct pattern *p = s->pattern;
+
+    if (p->mesh.nodes)
+        output_print(out, "sheet:\n  mesh: " SHEET_FILE "\n");
+    for (int k = 0; !p->mesh.nodes && k < p->lines; k++) {
+        output_print(out, "%s",
+                     k == 0   ? "sheet:\n  outline:\n"
+                     : k == 1 ? "  holes:\n"
+                              : "");
+        for (int n = p->line[k]; n < p->line[k + 1]; n++) {
+            output_print(out, "%s",
+                         k == 0            ? "    - "
+                         : n == p->line[k] ? "    - - "
+                                           : "      - ");
+            put_words(out, "[#, #]\n",
+                      (double[]){p->at[n][0] + p->corner[0], p->at[n][1] + p->corner[1]});
+        }
+    }
+    if (!s->is_fabric)
+        put_words(out, "  thickness: #\n", &s->thickness);
+}
+
 static void put_sheet(const struct scene *s, struct output *out)
 {
-    put_words(out,
-              s->is_fabric ? "sheet: {length: #, width: #}\n"
-                           : "sheet: {length: #, width: #, thickness: #}\n",
-              (double[]){s->length, s->width, s->thickness});
+    double origin[3];
+
+    if (s->pattern)
+        put_pattern_lines(s, out);
+    else
+        put_words(out,
+                  s->is_fabric ? "sheet: {length: #, width: #}\n"
+                               : "sheet: {length: #, width: #, thickness: #}\n",
+                  (double[]){s->length, s->width, s->thickness});
     if (s->sheets < 2)
         output_print(out, "pose:\n  kind: %s\n", scene_shape_words[s->shape]);
     for (int k = 0; k < scene_sheets(s); k++) {
         const char *head = s->sheets < 2 ? "  " : k ? "  - " : "sheets:\n  - ";
         output_print(out, "%s", head);
-        put_words(out, "origin: [#, #, #]\n", s->pose[k].origin);
+        for (int c = 0; c < 3; c++) /* where the pattern has its 0 */
+            origin[c] = s->pose[k].origin[c] -
+                        (s->pattern ? s->pattern->corner[0] * s->pose[k].axis_u[c] +
+                                          s->pattern->corner[1] * s->pose[k].axis_v[c]
+                                    : 0);
+        put_words(out, "origin: [#, #, #]\n", origin);
         put_words(out, s->sheets < 2 ? "  u: [#, #, #]\n" : "    u: [#, #, #]\n",
                   s->pose[k].axis_u);
         put_words(out, s->sheets < 2 ? "  v: [#, #, #]\n" : "    v: [#, #, #]\n",
@@ -1120,12 +1183,35 @@ static void put_motion(const struct scene_motion *m, struct output *out)
         put_words(out, "        - [#, #]\n", m->turn[k]);
 }
 
+/* Puts the vertices that a support names, or that its group has. */
+static void put_vertices(const struct scene *s, const struct scene_support *support,
+                         struct output *out)
+{
+    const struct pattern *p = s->pattern;
+    int last = -1;
+
+    output_print(out, "  - at: {vertices: [");
+    for (int a = 0; a < p->mesh.nodes; a++) {
+        const int node = p->node ? p->node[a] : a;
+        const double *at = p->mesh.at[a];
+        if (node <= last ||
+            !scene_support_has(support, at[0] / s->length, at[1] / s->width))
+            continue;
+        output_print(out, last < 0 ? "%d" : ", %d", node + 1);
+        last = node;
+    }
+    output_print(out, "]}\n");
+}
+
 static void put_supports(const struct scene *s, struct output *out)
 {
     for (int n = 0; n < s->support_count; n++) {
         const struct scene_support *p = &s->supports[n];
         output_print(out, "%s", n ? "" : "supports:\n");
-        put_region(s, p->sheet, out, p->lo, p->hi);
+        if (p->part_count)
+            put_vertices(s, p, out);
+        else
+            put_region(s, p->sheet, out, p->lo, p->hi);
         output_print(out, "    fix: %s\n", export_sheet_axes(p->fix));
         put_motion(&p->motion, out);
     }
@@ -1608,6 +1694,8 @@ static enum status write_all(struct export_job *j, const char *folder, struct me
         if ((!files[n].need || needs & files[n].need) &&
             (j->sheet.mesh || files[n].write != export_numbers_hinges))
             CALL(write_file(j, files[n].name, files[n].write, folder, why));
+    if (j->scene.pattern && j->scene.pattern->mesh.nodes)
+        CALL(write_file(j, SHEET_FILE, export_mesh_sheet, folder, why));
     for (j->body = 0; j->body < j->scene.obstacle_count; j->body++) {
         char name[32];
         snprintf(name, sizeof name, MESH_FILE, j->body);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "models/metric/metric.h"
+#include "models/pattern.h"
 #include "models/vector.h"
 
 /* Every third grid point: three or four to a span of a net of 10 x 10 control points, where
@@ -60,7 +61,10 @@ void looks_add(struct looks *l, const struct scene *scene, double time, const do
     l->series[LOOKS_PENETRATION][n] = metric_penetration(scene, time, xyz);
     if (intersections)
         l->series[LOOKS_INTERSECTIONS][n] =
-            metric_intersections_every(scene, xyz, INTERSECTION_STEP);
+            metric_intersections_every(scene, xyz,
+                                       pattern_starts_in_space(scene->pattern)
+                                           ? 1 /* cells between creases and seams */
+                                           : INTERSECTION_STEP);
     l->energy[n] = (struct energy){NAN, NAN, NAN};
 }
 

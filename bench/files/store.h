@@ -11,9 +11,10 @@
  *                     death_time [s] (only then), note (a sentence, if there is one),
  *                     quick ("yes", of a quick run only), made_for (run_file.h),
  *                     warnings (a line each, if there are any: harness/warnings.h),
- *                     length, width, thickness [m], corner_u, corner_v [m] (of the box of
- *                     a sheet that is no rectangle, where the pose has 0), nodes, unknowns,
- * factor_entries, contact_thickness, contact_range [m], contact_stiffness [Pa],
+ *                     length, width, thickness [m], nodes, unknowns, factor_entries,
+ *                     corner_u, corner_v [m] (of the box of a sheet that is no rectangle,
+ *                     where the pose has 0),
+ *                     contact_thickness, contact_range [m], contact_stiffness [Pa],
  *                     contact_friction (the law of the sheet on itself, of scenes with
  *                     contact only), contact_distance, contact_edge [m] (from a body under
  *                     the sheet's weight: of its mid-surface, and lambda),
@@ -23,21 +24,23 @@
  *   xyz               [K][w 2][v 100][u 100][3]    double [m] (or float, if asked for)
  *   xyz_time          [K]                          double [s]
  *   frame/0, frame/1, ...                          views of xyz[0], xyz[1], for XDMF
- *   support_0, ...    [parts][6]                   double [1], u v of corners of what holds
- *                     vertices or a group of the sheet's mesh
  *   surface/triangle  [T][3]                       int, of a sheet that is no rectangle:
- *                     triangles of its mid-surface, for pictures, with their points' places
+ *                     triangles of its mid-surface, for pictures
+ *   surface/uv        [N][2]                       double [1], their points on the sheet
+ *   surface/0, surface/1, ...  [N][3]              double [m], at xyz_time[0], ...
  *   surface/start     [N][3]                       double [m], of what starts in space:
- * from the box's corner along u and v, and along the normal surface/uv        [N][2] double
- * [1] on the sheet, and in space, surface/0, surface/1, ...  [N][3]              double
- * [m], at xyz_time[0], xyz_time[1] energy/kinetic, energy/elastic, energy/potential   [F]
- * double [J], NaN if not known counters/steps, ...                            [F]   work
- * done up to the frame forces/support_0, ..., forces/obstacle_0, ...  [F][3]   double [N],
- * what the scene's supports and obstacles exert on the sheet (model.h), NaN if not known;
- * moments/support_0, ...                         [F][3]   double [N m], about the origin
- * metrics/NAME      [F]                          double seconds/create [R] raw, every
- * repeat seconds/look                                   [1]            sampling and
- * measuring seconds/advance                                [R][steps]     raw, every step
+ *                     along u and v from the box's corner, and along the normal
+ *   support_0, ...    [parts][6]                   double [1], u v of corners of what a
+ *                     support holds that names vertices or a group
+ *   energy/kinetic, energy/elastic, energy/potential   [F]   double [J], NaN if not known
+ *   counters/steps, ...                            [F]   work done up to the frame
+ *   forces/support_0, ..., forces/obstacle_0, ...  [F][3]   double [N], what the scene's
+ *                     supports and obstacles exert on the sheet (model.h), NaN: not known
+ *   moments/support_0, ...                         [F][3]   double [N m], about the origin
+ *   metrics/NAME      [F]                          double
+ *   seconds/create                                 [R]            raw, every repeat
+ *   seconds/look                                   [1]            sampling and measuring
+ *   seconds/advance                                [R][steps]     raw, every step
  *   seconds/equilibrium                            [R][1]         raw
  *   seconds/timed, seconds/processor               [1]   all that was timed together with
  *                     this run; of that, with a processor: less where others want it too

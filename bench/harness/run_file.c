@@ -13,7 +13,6 @@
 #include "models/clock.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
-#include "models/pattern.h"
 #include "models/vector.h"
 
 struct run_file {
@@ -138,14 +137,6 @@ static double load_of(const struct run *run, const struct model_contact *c)
            (pull * pull * s->density * scene_area(s) * s->thickness);
 }
 
-/* Leaves out the rows along borders of panels, which models that have them cannot know. */
-static void leave_out(const struct scene *scene, double *xyz)
-{
-    for (int n = 0; n < 3 * GRID_POINTS && pattern_starts_in_space(scene->pattern); n++)
-        if (scene_void(scene, n / 3 % GRID_U, n / 3 / GRID_U % GRID_V))
-            xyz[n] = NAN;
-}
-
 /* Samples the present state, since a frame may turn out to be a look only after the state
  * has moved on, or died. */
 static enum status sample(struct run_file *f, double time, const struct counters *work)
@@ -154,7 +145,6 @@ static enum status sample(struct run_file *f, double time, const struct counters
     enum status st = STATUS_OK;
 
     model_sample(run->model, run->state, f->xyz);
-    leave_out(&run->scene, f->xyz);
     run_surface_sample(&f->surface, run->model, run->state);
     f->energy = (struct energy){NAN, NAN, NAN};
     if (run->model->energy)

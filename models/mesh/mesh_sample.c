@@ -137,17 +137,21 @@ static void add_normal(const struct mesh *mesh, const struct mesh_field *field, 
 }
 
 /* Tells whether a place is beside a sheet with an outline, which a triangle at these
- * weights may have been found to be nearest to. */
+ * weights may have been found to be nearest to; or is of a layer of a garment's grid, which
+ * leaves out what is near borders. */
 static bool is_beside(const struct scene *scene, const double *uv, int t,
                       const double weight[3])
 {
-    if (!scene->pattern || (t >= 0 && fmin(weight[0], fmin(weight[1], weight[2])) >= 0))
+    const bool within = t >= 0 && fmin(weight[0], fmin(weight[1], weight[2])) >= 0;
+    const bool layer = uv[2] == 0 || uv[2] == 1;
+
+    if (!scene->pattern || (within && !(layer && pattern_starts_in_space(scene->pattern))))
         return false;
     const double i = uv[0] * (GRID_U - 1), j = uv[1] * (GRID_V - 1);
     if (fabs(i - round(i)) < ON_GRID && fabs(j - round(j)) < ON_GRID)
         return scene_void(scene, (int)round(i), (int)round(j));
-    return t < 0 ||
-           !pattern_has(scene->pattern, uv[0] * scene->length, uv[1] * scene->width);
+    return t < 0 || (!within && !pattern_has(scene->pattern, uv[0] * scene->length,
+                                             uv[1] * scene->width));
 }
 
 /* Evaluates the triangles and the mean normal of their points, added to off; NaN beside the

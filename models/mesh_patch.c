@@ -98,7 +98,7 @@ static enum status find_order(const struct mesh_cells *mesh, int *order)
 /* --- patches ----------------------------------------------------------------------------
  */
 
-/* What patches are made from, and room for borders in them. */
+/* Patches are made from these, with room for borders in them. */
 struct work {
     struct mesh_patches *p;
     const struct mesh_cells *mesh;

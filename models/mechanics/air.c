@@ -36,7 +36,7 @@ void air_blow(struct air *p, const struct scene *scene, double t)
                        p->wind);
 }
 
-/* What is known at a point. */
+/* This is known at a point. */
 struct gust {
     double weight;      /* the sum of the functions times it                           */
     double slope[2][3]; /* x_u, x_v                                                     */

@@ -331,19 +331,29 @@ static int find(const struct pattern *p, double x, double y)
     return found;
 }
 
-/* Takes two rows of points along borders off the material grid: in the cells that are left
- * no panel meets another, nor seems to pass through it where a seam joins them. */
-static void part_panels(struct pattern *p)
+/* Takes the points off the material grid that lie in a cell with one of another panel. */
+static enum status part_panels(struct pattern *p)
 {
-    bool whole[GRID_V][GRID_U];
+    int *panel = malloc((size_t)p->mesh.nodes * sizeof *panel);
 
-    memcpy(whole, p->on, sizeof whole);
-    for (int j = 0; j < GRID_V; j++)
-        for (int i = 0; i < GRID_U; i++)
-            for (int k = 0; k < 25; k++) {
-                const int u = i + k % 5 - 2, v = j + k / 5 - 2;
-                p->on[j][i] &= u >= 0 && u < GRID_U && v >= 0 && v < GRID_V && whole[v][u];
-            }
+    if (!panel)
+        return STATUS_MEMORY;
+    mesh_flat_pieces(&p->mesh, panel);
+    for (int n = 0; n < 4 * GRID_U * GRID_V; n++) {
+        const int i = n / 4 % GRID_U, j = n / 4 / GRID_U,
+                  k = n % 4; /* (1,0) (0,1) (1,1) (-1,1) */
+        const int to_i = i + (k == 3 ? -1 : k != 1), to_j = j + (k > 0);
+        if (to_i < 0 || to_i >= GRID_U || to_j >= GRID_V || !p->on[j][i] ||
+            !p->on[to_j][to_i])
+            continue;
+        const int s = p->nearest[j * GRID_U + i], t = p->nearest[to_j * GRID_U + to_i];
+        if (s < 0 || t < 0 ||
+            panel[p->mesh.triangle[s][0]] == panel[p->mesh.triangle[t][0]])
+            continue;
+        p->on[to_j][to_i] = false;
+    }
+    free(panel);
+    return STATUS_OK;
 }
 
 /* Finds the triangles at the points of the material grid that are on the sheet. */
@@ -372,8 +382,7 @@ static enum status find_nearest(struct pattern *p, const double size[2])
                           weight) > -1e-9)
                     p->nearest[j * GRID_U + i] = t;
     }
-    part_panels(p);
-    return STATUS_OK;
+    return part_panels(p);
 }
 
 void pattern_begin(const struct pattern *p, double x, double y, double begin[3],

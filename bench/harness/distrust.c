@@ -269,7 +269,7 @@ void distrust_fields(const struct scene *scene, int count, const double *time,
 
     looks_init(&looks, count);
     for (int n = 0; n < count; n++)
-        looks_add(&looks, scene, time[n], xyz[n], true);
+        looks_add(&looks, scene, time[n], xyz[n], looks_crossings(scene, xyz[n]));
     if (count)
         looks_recount(&looks, scene, xyz[count - 1]);
     looks_reduce(&looks, scene, STATUS_OK, NAN, NULL, value);

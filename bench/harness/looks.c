@@ -4,7 +4,6 @@
 #include <stdlib.h>
 
 #include "models/metric/metric.h"
-#include "models/pattern.h"
 #include "models/vector.h"
 
 /* Every third grid point: three or four to a span of a net of 10 x 10 control points, where
@@ -51,7 +50,7 @@ void looks_clear(struct looks *l)
 }
 
 void looks_add(struct looks *l, const struct scene *scene, double time, const double *xyz,
-               bool intersections)
+               double crossings)
 {
     const int n = l->count++;
 
@@ -59,13 +58,13 @@ void looks_add(struct looks *l, const struct scene *scene, double time, const do
     for (int i = 0; i < LOOKS_SERIES; i++)
         l->series[i][n] = looks_series[i].value ? looks_series[i].value(scene, xyz) : NAN;
     l->series[LOOKS_PENETRATION][n] = metric_penetration(scene, time, xyz);
-    if (intersections)
-        l->series[LOOKS_INTERSECTIONS][n] =
-            metric_intersections_every(scene, xyz,
-                                       pattern_starts_in_space(scene->pattern)
-                                           ? 1 /* cells between creases and seams */
-                                           : INTERSECTION_STEP);
+    l->series[LOOKS_INTERSECTIONS][n] = crossings;
     l->energy[n] = (struct energy){NAN, NAN, NAN};
+}
+
+double looks_crossings(const struct scene *scene, const double *xyz)
+{
+    return metric_intersections_every(scene, xyz, INTERSECTION_STEP);
 }
 
 void looks_recount(struct looks *l, const struct scene *scene, const double *xyz)

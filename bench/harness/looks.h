@@ -46,10 +46,13 @@ struct looks {
 void looks_init(struct looks *looks, int room);
 void looks_clear(struct looks *looks); /* all-zero is allowed */
 
-/* Adds a look, measured on a field (grid.h), its self-intersections only if asked for;
- * speed, load and energy are NaN. */
+/* Adds a look, measured on a field (grid.h), with the crossings that were counted (NaN:
+ * none were); speed, load and energy are NaN. */
 void looks_add(struct looks *looks, const struct scene *scene, double time,
-               const double *xyz, bool intersections);
+               const double *xyz, double crossings);
+
+/* Counts crossings on every third point of a field: what a look of a grid costs. */
+double looks_crossings(const struct scene *scene, const double *xyz);
 
 /* Counts the crossings of the last look, measured on the field xyz, on the whole grid, if
  * they were counted and none was found: so many as users are told at the end of a run. */

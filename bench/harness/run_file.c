@@ -23,9 +23,10 @@ struct run_file {
     struct arena fields;  /* of the two, until the looks end                  owned   */
     double *xyz, *before; /* this look's field and the last one's                    */
     struct run_surface surface; /* of xyz, where there is a file                  owned  */
-    double *truth; /* [LOOKS_TRUTH][looks' room]; NULL: none is known         */
-    int next;      /* of keep->time                                           */
-    bool waits;    /* xyz is of a frame that is no look, at:                  */
+    struct run_surface net; /* its own triangles, where crossings are counted   owned  */
+    double *truth;          /* [LOOKS_TRUTH][looks' room]; NULL: none is known         */
+    int next;               /* of keep->time                                           */
+    bool waits;             /* xyz is of a frame that is no look, at:                  */
     double time;
     struct energy energy; /* NaN: the model has none                               */
     int pushers;          /* supports and obstacles, where their forces are kept     */
@@ -50,6 +51,7 @@ void run_file_discard(struct run_file *f)
     store_discard(f->store);
     looks_clear(&f->looks);
     run_surface_clear(&f->surface);
+    run_surface_clear(&f->net);
     arena_clear(&f->fields);
     arena_clear(&f->arena);
     free(f);
@@ -99,6 +101,8 @@ enum status run_file_open(const struct run *run, const struct run_keep *keep,
         f->pushed = arena_take(&f->arena, ((size_t)f->pushers + 1) * (size_t)f->looks.room,
                                sizeof *f->pushed);
     }
+    if (keep->intersections)
+        CALL(run_surface_net(&f->net, run));
     CALL(open_store(f, why));
     *file = f, f = NULL;
     return STATUS_OK;
@@ -109,7 +113,10 @@ static void measure(struct run_file *f)
     struct looks *l = &f->looks;
     const int n = l->count, *points = f->run->discretization.points;
 
-    looks_add(l, &f->run->scene, f->time, f->xyz, f->keep->intersections);
+    looks_add(l, &f->run->scene, f->time, f->xyz,
+              f->net.flat.nodes        ? run_surface_crossings(&f->net)
+              : f->keep->intersections ? looks_crossings(&f->run->scene, f->xyz)
+                                       : NAN);
     if (n)
         l->series[LOOKS_SPEED][n] =
             metric_rmse(f->xyz, f->before) / (l->time[n] - l->time[n - 1]);
@@ -146,6 +153,7 @@ static enum status sample(struct run_file *f, double time, const struct counters
 
     model_sample(run->model, run->state, f->xyz);
     run_surface_sample(&f->surface, run->model, run->state);
+    run_surface_sample(&f->net, run->model, run->state);
     f->energy = (struct energy){NAN, NAN, NAN};
     if (run->model->energy)
         run->model->energy(run->state, &f->energy);
@@ -296,7 +304,8 @@ enum status run_file_end(struct run_file *f, struct message *why)
         return st;
     if (f->waits)
         st = take(f, true, why);
-    looks_recount(&f->looks, &f->run->scene, f->before);
+    if (!f->net.flat.nodes)
+        looks_recount(&f->looks, &f->run->scene, f->before);
     if (f->run->state)
         f->run->model->size(f->run->state, &f->size);
     if (f->run->state && f->run->model->doubt)

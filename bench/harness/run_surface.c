@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "models/metric/intersection.h"
 #include "models/pattern.h"
 #include "models/pattern_mesh.h"
 
@@ -30,17 +31,15 @@ static enum status copy_triangles(const struct mesh_flat *from, struct mesh_flat
     return STATUS_OK;
 }
 
-enum status run_surface_init(struct run_surface *s, const struct scene *scene)
+/* Takes over triangles, which are then empty, and places points in them. */
+static enum status begin(struct run_surface *s, const struct scene *scene,
+                         struct mesh_flat *flat)
 {
     const double size[2] = {scene->length, scene->width};
+    struct run_surface new = {.flat = *flat};
     enum status st = STATUS_OK;
-    struct run_surface new = {.flat = {0}};
 
-    if (!scene->pattern)
-        return st;
-    TRY(scene->pattern->mesh.nodes
-            ? copy_triangles(&scene->pattern->mesh, &new.flat)
-            : pattern_mesh(scene, fmax(size[0], size[1]) / ALONG, 0, &new.flat));
+    *flat = (struct mesh_flat){0};
     new.uvw = malloc(3 * (size_t) new.flat.nodes * sizeof *new.uvw);
     new.xyz = calloc(3 * (size_t) new.flat.nodes, sizeof *new.xyz);
     TRY(new.uvw &&new.xyz ? STATUS_OK : STATUS_MEMORY);
@@ -50,6 +49,43 @@ enum status run_surface_init(struct run_surface *s, const struct scene *scene)
 out:
     run_surface_clear(&new);
     return st;
+}
+
+enum status run_surface_init(struct run_surface *s, const struct scene *scene)
+{
+    const struct pattern *p = scene->pattern;
+    struct mesh_flat flat SCOPED(mesh_flat_clear) = {0};
+
+    if (!p)
+        return STATUS_OK;
+    CALL(p->mesh.nodes
+             ? copy_triangles(&p->mesh, &flat)
+             : pattern_mesh(scene, fmax(p->size[0], p->size[1]) / ALONG, 0, &flat));
+    return begin(s, scene, &flat);
+}
+
+enum status run_surface_net(struct run_surface *s, const struct run *run)
+{
+    const struct pattern *p = run->scene.pattern;
+    struct mesh_flat flat SCOPED(mesh_flat_clear) = {0};
+
+    if (!p || !p->mesh.nodes)
+        return run_surface_init(s, &run->scene);
+    CALL(pattern_sewn(p, &flat));
+    for (int n = 0; n < run->discretization.refine; n++)
+        CALL(mesh_flat_refine(&flat));
+    return begin(s, &run->scene, &flat);
+}
+
+double run_surface_crossings(const struct run_surface *s)
+{
+    struct intersection work = {0};
+    long count;
+    const enum status st = intersection_count_mesh(
+        &work, s->flat.nodes, s->xyz, s->flat.triangles, s->flat.triangle, &count);
+
+    intersection_clear(&work);
+    return st ? NAN : (double)count;
 }
 
 void run_surface_sample(struct run_surface *s, const struct model *model, const void *state)

@@ -1,11 +1,12 @@
-/* run_surface.h - triangles of the mid-surface of a sheet that is no rectangle, the same
- * for all models: what pictures and ParaView show of a run, where the material grid would
- * leave steps along the border.
+/* run_surface.h - triangles of the mid-surface of a sheet that is no rectangle, where the
+ * material grid would leave steps along the border: the same for all models, which pictures
+ * and ParaView show; and those of a net, on which crossings are counted.
  */
 #ifndef RUN_SURFACE_H
 #define RUN_SURFACE_H
 
 #include "bench/files/store.h"
+#include "bench/harness/run.h"
 #include "models/mesh_flat.h"
 
 struct run_surface {
@@ -16,6 +17,14 @@ struct run_surface {
 /* Makes the scene's own triangles, or fine ones within its outline. STATUS_MEMORY. */
 enum status run_surface_init(struct run_surface *s, const struct scene *scene);
 void run_surface_clear(struct run_surface *s);
+
+/* Makes the triangles as they are sewn together and as fine as the run's own, where the
+ * scene has some; else those above. STATUS_MEMORY. */
+enum status run_surface_net(struct run_surface *s, const struct run *run);
+
+/* Counts the pairs of triangles that intersect (intersection.h); NaN without memory, or of
+ * positions that are no numbers. */
+double run_surface_crossings(const struct run_surface *s);
 
 /* Takes the positions of a state. */
 void run_surface_sample(struct run_surface *s, const struct model *model,

@@ -12,7 +12,6 @@
 #include "models/grid.h"
 #include "models/metric/metric.h"
 #include "models/metric/metric_rest.h"
-#include "models/pattern.h"
 
 /* --- A scene as its truth moves --- */
 
@@ -68,15 +67,6 @@ enum status truth_plan_check(const struct scene *scene, struct message *why)
                 "is claimed",
                 scene->name, n);
     }
-    const struct pattern *p = scene->pattern;
-    if (pattern_starts_in_space(p) && p->lines > 1 && scene->obstacle_count)
-        return status_fail(
-            why, STATUS_UNSUPPORTED,
-            "%s has no truth: a truth is searched for places where the sheet passes "
-            "through "
-            "itself, on the material grid, whose cells are too coarse for the creases and "
-            "seams of several panels on a body",
-            scene->name);
     return check_drape(scene, why);
 }
 

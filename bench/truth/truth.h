@@ -131,7 +131,7 @@ enum truth_column {
     TRUTH_THIRD = TRUTH_STORED, /* how far it is [m]                                    */
     TRUTH_THIRD_BAR,            /* its own error bar [m]                                */
     /* Columns of the file, or computed where it is read; NaN where nothing was claimed
-       before: */
+       before, and the depth of a garment's: */
     TRUTH_CROSSINGS,      /* pairs of triangles where its sheet passes through itself [1] */
     TRUTH_CROSSING_DEPTH, /* how deep (models/metric/crossing.h) [m]                    */
     TRUTH_COLUMNS
@@ -292,8 +292,9 @@ enum status truth_plate_coefficient(double nu, int terms, double *coefficient);
  *
  * Nor is anything claimed from the first time on at which a truth's own sheet passes
  * through itself: its middle surface on the material grid is searched when the file is
- * read, with a tolerance of its packing and CROSSING_TOLERANCE. No model that truths are
- * made of is kept off itself there. */
+ * read, with a tolerance of its packing and CROSSING_TOLERANCE; of a garment, whose creases
+ * and seams run through the grid's cells, each run counted crossings of its own triangles.
+ */
 
 /* The files of stored truths: those in $CLOTHBENCH_TRUTHS first. */
 extern const struct named_file_kind truth_file_kind;

@@ -243,6 +243,16 @@ static void tell_share(const struct truth_family *f, int limits, bool own, char 
     }
 }
 
+/* Takes over what a run counted on its own triangles: of a garment, whose material grid is
+ * too coarse for creases and seams. */
+static void take_crossings(const struct run_result *run, double time, double *value)
+{
+    const double begin = run->value[MEASURE_INTERSECTION_TIME];
+
+    if (!isnan(begin))
+        value[TRUTH_CROSSINGS] = begin > time ? 0 : run->value[MEASURE_INTERSECTIONS_MAX];
+}
+
 static void tell(const struct truth_family family[TRUTH_MODELS],
                  const struct share share[TRUTH_MODELS], enum truth_model most,
                  struct truth *made)
@@ -296,6 +306,7 @@ void truth_bar_judge(const struct truth_family family[TRUTH_MODELS],
         made->claimed += claims;
         const enum truth_model whose = solid->bar <= shell->bar ? TRUTH_SOLID : TRUTH_SHELL;
         evaluate(&judged[whose].field, made->xyz[t]);
+        take_crossings(&family[whose].run[family[whose].count - 1], made->time[t], v);
         all[whose].times++;
         all[whose].limits += judged[whose].field.left > 0;
         if (claims)

@@ -87,14 +87,15 @@ static void note_horizon(struct dataset *t, const struct truth *made,
     const double length = scene->length;
     const int n = made->claimed;
     const double percent = 100 / length, *v = made->value[n];
-    char end[160];
+    char end[160], deep[48] = " of its finest run";
 
+    if (n < made->times && !isnan(v[TRUTH_CROSSING_DEPTH]))
+        snprintf(deep, sizeof deep, " of the material grid, %.2g mm deep",
+                 1e3 * v[TRUTH_CROSSING_DEPTH]);
     if (n < made->times && v[TRUTH_CROSSINGS] > 0)
         snprintf(end, sizeof end,
-                 "a sheet passes through %s there, on %g pairs of triangles of the "
-                 "material grid, %.2g mm deep",
-                 scene_sheet_other(scene), v[TRUTH_CROSSINGS],
-                 1e3 * v[TRUTH_CROSSING_DEPTH]);
+                 "a sheet passes through %s there, on %g pairs of triangles%s",
+                 scene_sheet_other(scene), v[TRUTH_CROSSINGS], deep);
     else if (n < made->times && v[TRUTH_THIRD] > made->error[n] + v[TRUTH_THIRD_BAR])
         snprintf(end, sizeof end,
                  "a third mechanics, with a bar of %.2g %%, is %.2g %% off there",

@@ -6,6 +6,7 @@
 
 #include "bench/harness/run_file.h"
 #include "bench/truth/truth_making.h"
+#include "models/pattern.h"
 
 enum { PATH = 4096 };
 
@@ -140,7 +141,11 @@ static enum status read_level(const struct truth_runs *runs,
                                            : "cured",
              level->degree, level->side, lround(1e6 * level->step),
              level->perturbed ? "_perturbed" : "");
-    c->keep = (struct run_keep){.times = runs->times, .time = runs->time, .made_for = key};
+    c->keep =
+        (struct run_keep){.times = runs->times,
+                          .time = runs->time,
+                          .made_for = key,
+                          .intersections = pattern_starts_in_space(run->scene.pattern)};
     case_file(c, runs->folder, name);
     return STATUS_OK;
 }

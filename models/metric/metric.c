@@ -7,6 +7,7 @@
 #include "models/grid.h"
 #include "models/metric/intersection.h"
 #include "models/metric/metric_rest.h"
+#include "models/pattern.h"
 #include "models/vector.h"
 
 enum { LAYER = GRID_U * GRID_V, ROW = GRID_U * 3 };
@@ -514,6 +515,9 @@ double metric_intersections_every(const struct scene *scene, const double *xyz, 
 {
     struct intersection work = {.sparse = scene->pattern};
     long count;
+
+    if (pattern_starts_in_space(scene->pattern))
+        return NAN;
     const enum status st =
         intersection_count_field(&work, scene->sheets, step, xyz, &count);
 

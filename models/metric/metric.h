@@ -79,7 +79,8 @@ enum status metric_blowup(const struct scene *scene, double t, const double *xyz
 double metric_angle(const struct scene *scene, const double *xyz);
 
 /* Counts pairs of triangles of the mid-surface that intersect (intersection.h: touching
- * counts, thickness does not); 0 for a sheet clear of itself. NaN also if memory ran out.
+ * counts, thickness does not); 0 for a sheet clear of itself. NaN of a garment, whose
+ * creases and seams run through the grid's cells, and if memory ran out.
  * Takes some 10 ms, more for a crumpled sheet: a hundred times what the others cost. */
 double metric_intersections(const struct scene *scene, const double *xyz);
 

@@ -130,8 +130,8 @@ static void test_moving(void)
     begin();
     REQUIRE(xyz);
     sheet.obstacles = &plane, looks.count = 0;
-    looks_add(&looks, &sheet, 0, xyz, false);
-    looks_add(&looks, &sheet, 0.5, xyz, false);
+    looks_add(&looks, &sheet, 0, xyz, NAN);
+    looks_add(&looks, &sheet, 0.5, xyz, NAN);
     CHECK(looks.series[LOOKS_PENETRATION][0] == 0);
     CHECK(looks.series[LOOKS_PENETRATION][1] == 0.25);
     free(xyz);
@@ -217,7 +217,7 @@ static void test_recount(void)
     }
     for (int counted = 0; counted < 2; counted++) {
         looks.count = 0;
-        looks_add(&looks, &sheet, 0, xyz, counted);
+        looks_add(&looks, &sheet, 0, xyz, counted ? looks_crossings(&sheet, xyz) : NAN);
         looks_recount(&looks, &sheet, xyz);
         const double found = looks.series[LOOKS_INTERSECTIONS][0];
         CHECK(counted ? found > 0 && found == metric_intersections(&sheet, xyz)

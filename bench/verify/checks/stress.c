@@ -776,6 +776,10 @@ CASE(two_triangles, "a mesh of two triangles", REST, THICK("1e-2"),
 CASE(valence_20, "a mesh of triangles of which 20 meet at a point", REST, THICK("1e-2"),
      .numerics = {"discretization.mesh=diagonal", "discretization.refine=3"},
      .valence = 20);
+CASE(slit, "a slit of a tenth of a millimetre, along the sheet", REST, .gamma = LIGHT,
+     .physics = {"sheet={outline: [[0,0],[1,0],[1,1],[0,1]], thickness: 1e-2, "
+                 "holes: [[[0.2,0.5],[0.8,0.5],[0.8,0.5001],[0.2,0.5001]]]}",
+                 "material.poisson=0", SETTLING});
 CASE(many_triangles, "an irregular mesh of 200,000 triangles", STILL,
      MESHED("irregular", "[318,318]"),
      .physics = {"gravity=[0,0,0]", "time={step: 0.005, end: 0.01}"});
@@ -938,13 +942,13 @@ CASE(flat_triangle, "one of them with its corners on a line", TOUCH, ONTO_NEEDLE
     X(thin_2), X(thin_3), X(thin_4), X(thin_5), X(poisson_0), X(poisson_049),              \
         X(poisson_04999), X(narrow), X(wide), X(one_element), X(graded_knots),             \
         X(repeated_knots), X(torn_knots), X(folded_knots), X(skewed_weights), X(slivers),  \
-        X(two_triangles), X(valence_20), X(many_triangles), X(gamma_8), X(gamma_1000),     \
-        X(gamma_100000), X(step_small), X(step_large), X(millimetres), X(inches), X(soft), \
-        X(stiff), X(swing_10000), X(violent_drop), X(spinning_bar), X(buckling), X(still), \
-        X(rest_start), X(thrown), X(two_corners), X(touching), X(overlapping),             \
-        X(coplanar), X(closing), X(crushed), X(stopping), X(struck), X(thrown_at_ball),    \
-        X(pressed_fold), X(thick_contact), X(friction_0), X(friction_5), X(needles),       \
-        X(flat_triangle)
+        X(two_triangles), X(valence_20), X(slit), X(many_triangles), X(gamma_8),           \
+        X(gamma_1000), X(gamma_100000), X(step_small), X(step_large), X(millimetres),      \
+        X(inches), X(soft), X(stiff), X(swing_10000), X(violent_drop), X(spinning_bar),    \
+        X(buckling), X(still), X(rest_start), X(thrown), X(two_corners), X(touching),      \
+        X(overlapping), X(coplanar), X(closing), X(crushed), X(stopping), X(struck),       \
+        X(thrown_at_ball), X(pressed_fold), X(thick_contact), X(friction_0),               \
+        X(friction_5), X(needles), X(flat_triangle)
 
 #define CHECK_OF(name) &name.check
 const struct verify_check *const stress_checks[] = {CASES(CHECK_OF), NULL};

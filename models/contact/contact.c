@@ -639,6 +639,18 @@ void contact_force(const struct contact *c, double *force)
                     c->weight[k] * (t->push * t->normal[i] + t->rub[i]);
 }
 
+void contact_force_at(const double at[3], const double force[3], double share,
+                      double sum[6])
+{
+    double moment[3];
+
+    vector_cross(at, force, moment);
+    for (int i = 0; i < 3; i++) {
+        sum[i] += share * force[i];
+        sum[3 + i] += share * moment[i];
+    }
+}
+
 void contact_force_bodies(const struct contact *c, const double *x, double share,
                           double (*body)[6])
 {
@@ -646,7 +658,7 @@ void contact_force_bodies(const struct contact *c, const double *x, double share
         for (int i = 0; i < 6; i++)
             body[o][i] += share * c->landed[o][i];
     for (const struct contact_touch *t = c->touch; t < c->touch + c->count; t++) {
-        double at[3] = {0}, force[3], moment[3];
+        double at[3] = {0}, force[3];
         if (t->obstacle < 0)
             continue;
         for (int k = t->first; k < t->first + t->count; k++)
@@ -656,11 +668,7 @@ void contact_force_bodies(const struct contact *c, const double *x, double share
             }
         for (int i = 0; i < 3; i++)
             force[i] = t->push * t->normal[i] + t->rub[i];
-        vector_cross(at, force, moment);
-        for (int i = 0; i < 3; i++) {
-            body[t->obstacle][i] += share * force[i];
-            body[t->obstacle][3 + i] += share * moment[i];
-        }
+        contact_force_at(at, force, share, body[t->obstacle]);
     }
 }
 

@@ -86,7 +86,7 @@ static bool holds(const struct scene *scene, int support, double t)
 }
 
 /* Fills owner[3 nodes]: the support holding each unknown at the start, -1 if none; the
- * first wins. */
+ * first wins, grippers after all others: a clamp has to be one when they are gone. */
 static enum status assign(const struct scene *scene, int nodes, double (*uvw)[3],
                           int *owner, struct message *why)
 {
@@ -95,9 +95,12 @@ static enum status assign(const struct scene *scene, int nodes, double (*uvw)[3]
             uvw[n / 3][2] == SUPPORTS_NONE || (uvw[n / 3][2] == SUPPORTS_ONE && n % 3)
                 ? SUPPORTS_NOBODY
                 : -1;
-    for (int n = 0; n < scene->support_count; n++) {
+    for (int turn = 0; turn < 2 * scene->support_count; turn++) {
+        const int n = turn % scene->support_count;
         const struct scene_support *s = &scene->supports[n];
         int count = 0;
+        if (scene_grips(s) != turn / scene->support_count)
+            continue;
         bool layered = false; /* nodes above and below */
         for (int a = 0; a < nodes; a++) {
             layered |=

@@ -6,7 +6,7 @@
 
 #include "models/room.h"
 
-/* The sine of an angle by which a border may turn to the other side and yet be straight. */
+/* A border that turns to the other side by an angle of this sine is still straight. */
 static const double STRAIGHT = 1e-9;
 
 void mesh_patches_clear(struct mesh_patches *p)
@@ -19,7 +19,7 @@ void mesh_patches_clear(struct mesh_patches *p)
 /* --- order ------------------------------------------------------------------------------
  */
 
-/* A triangle at its middle, and the coordinate by which it is sorted. */
+/* A spot is the middle of a triangle, which is sorted by one of its coordinates, `key`. */
 struct spot {
     double at[3], key;
     int triangle;

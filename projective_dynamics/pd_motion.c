@@ -11,8 +11,8 @@
 
 static const double PAPER_DAMPING = 0.005; /* share of the velocity lost a frame       */
 
-/* The iterations of a step at most, unless the settings tell; then the frames from one
- * measurement of what they leave to the next. */
+/* A step has so many iterations at most, unless the settings tell how many; then what they
+ * leave is measured each time after so many frames. */
 enum { MOST_ITERATIONS = 1000, MEASURED = 10 };
 
 /* Returns the place of an unknown in three fields. */

@@ -351,7 +351,8 @@ bool body_mesh_edge(const struct obstacle_mesh *mesh, int side, double normal[3]
 /* --- the distance ----------------------------------------------------------------------
  */
 
-/* The nearest point so far: in a triangle's face, on its edge, or at its corner. */
+/* A foot is the nearest point so far: in a triangle's face, on its edge, or at its corner.
+ */
 struct foot {
     double square; /* of its distance; or the most that is wanted                       */
     double place[3];

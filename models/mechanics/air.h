@@ -47,7 +47,7 @@ enum status air_init(struct air *air, const struct scene *scene, int elements, i
                      int local);
 void air_clear(struct air *air);
 
-/* Sets the wind to that of time t [s]. */
+/* Sets the wind to the one that blows at time t [s]. */
 void air_blow(struct air *air, const struct scene *scene, double t);
 
 /* A sheet has the shape (1 - share) x_old + share x and the velocity v, or, if that is
@@ -73,7 +73,7 @@ struct air_step {
     const double *mass, *drag, *load; /* [nodes] [kg], [nodes] or NULL, force
                                          over velocity [N s/m]; [nodes][3] [N] */
     const double *x, *v, *from;       /* [nodes][3]: shape and velocities about which the
-                                         force is linear                       [m], [m/s]      */
+                                         force is linear         [m], [m/s]    */
     double *force;     /* [nodes][3] computed                           [N]     */
     double (*hold)[9]; /* [nodes] work                                          */
 };

@@ -33,7 +33,7 @@
 #include "models/room.h"
 #include "models/vector.h"
 
-/* The most times that the steps of a frame are doubled. */
+/* The steps of a frame are doubled so many times at most. */
 enum { DOUBLINGS = 8 };
 
 /* The energy that a frame may gain, as a share of the most that moved or was stored so far.
@@ -41,8 +41,8 @@ enum { DOUBLINGS = 8 };
  * much in a few frames from nothing. */
 static const double GAIN = 0.05;
 
-/* The error of a momentum, relative, in watching frames and in what is told; the kinetic
- * energy has its square. */
+/* A momentum has this relative error where frames are watched, and in what is told; the
+ * kinetic energy has its square. */
 static const double WATCHED = 1e-2, TOLD = 1e-7;
 
 /* Strains below this are round-off. */

@@ -1,9 +1,9 @@
 /* reaction.h - the forces with which supports hold a sheet (model.h's `forces`).
  *
  * A support exerts on what it holds what the equation of motion lacks there: minus `left`,
- * what loads, contact, elastic forces and inertia leave over. Forces are conjugate to
- * coefficients: as their functions add up to 1, the sum is the force, and that of products
- * with coefficients the moment, of control points, too.
+ * which loads, contact, elastic forces and inertia leave over. Forces are conjugate to
+ * coefficients: as the functions add up to 1, their sum is the force, and the sum of their
+ * moments at the coefficients is the moment, also of control points.
  */
 #ifndef REACTION_H
 #define REACTION_H

@@ -6,12 +6,11 @@
 
 #include "models/room.h"
 
-/* The sine of an angle by which a border may turn to the other side and yet be straight. */
+/* A border that turns to the other side by an angle of this sine is still straight. */
 static const double STRAIGHT = 1e-9;
 
 void mesh_patches_clear(struct mesh_patches *p)
 {
-    free(p->order);
     free(p->room);
     free(p->near);
     memset(p, 0, sizeof *p);
@@ -20,39 +19,24 @@ void mesh_patches_clear(struct mesh_patches *p)
 /* --- order ------------------------------------------------------------------------------
  */
 
-/* A triangle at its middle. */
+/* A spot is the middle of a triangle, which is sorted by one of its coordinates, `key`. */
 struct spot {
-    double at[3];
+    double at[3], key;
     int triangle;
 };
 
-static int compare(const struct spot *p, const struct spot *q, int along)
+static int compare(const void *a, const void *b)
 {
-    return p->at[along] != q->at[along]
-               ? (p->at[along] < q->at[along] ? -1 : 1)
-               : (p->triangle > q->triangle) - (p->triangle < q->triangle);
-}
+    const struct spot *p = a, *q = b;
 
-static int along_u(const void *a, const void *b)
-{
-    return compare(a, b, 0);
-}
-
-static int along_v(const void *a, const void *b)
-{
-    return compare(a, b, 1);
-}
-
-static int along_w(const void *a, const void *b)
-{
-    return compare(a, b, 2);
+    return p->key != q->key ? (p->key < q->key ? -1 : 1)
+                            : (p->triangle > q->triangle) - (p->triangle < q->triangle);
 }
 
 /* Sorts triangles so that each box holds a part that is cut off straight across its longer
  * side. */
 static void bisect(struct spot *spot, int count)
 {
-    static int (*const along[])(const void *, const void *) = {along_u, along_v, along_w};
     double low[3] = {INFINITY, INFINITY, INFINITY};
     double high[3] = {-INFINITY, -INFINITY, -INFINITY};
     int half = 1, longest = 0;
@@ -66,7 +50,9 @@ static void bisect(struct spot *spot, int count)
         }
     for (int d = 1; d < 3; d++)
         longest = high[d] - low[d] > high[longest] - low[longest] ? d : longest;
-    qsort(spot, (size_t)count, sizeof *spot, along[longest]);
+    for (int n = 0; n < count; n++)
+        spot[n].key = spot[n].at[longest];
+    qsort(spot, (size_t)count, sizeof *spot, compare);
     while (2 * half < count)
         half *= 2;
     bisect(spot, half);
@@ -133,14 +119,12 @@ static void fit_parts(const struct work *w)
             double *part = p->part[p->start[l] + n];
             part[0] = part[1] = INFINITY, part[2] = part[3] = -INFINITY;
             for (int k = 2 * n; k < 2 * n + 2 && k < w->boxes[l - 1]; k++)
-                for (int c = 0; l == 1 && c < 3; c++) {
-                    const double *at = w->mesh->at[w->mesh->corner[p->order[k]][c]];
-                    include(part, at, at);
+                for (int c = 0; c < (l == 1 ? 3 : 1); c++) {
+                    const double *own = l == 1
+                                            ? w->mesh->at[w->mesh->corner[p->order[k]][c]]
+                                            : p->part[p->start[l - 1] + k];
+                    include(part, own, l == 1 ? own : own + 2);
                 }
-            for (int k = 2 * n; l > 1 && k < 2 * n + 2 && k < w->boxes[l - 1]; k++) {
-                const double *own = p->part[p->start[l - 1] + k];
-                include(part, own, own + 2);
-            }
         }
 }
 
@@ -197,8 +181,7 @@ static int list_border(const struct work *w, int l, int n)
                 double part[4] = {INFINITY, INFINITY, -INFINITY, -INFINITY};
                 include(part, mesh->at[end[0]], mesh->at[end[0]]);
                 include(part, mesh->at[end[1]], mesh->at[end[1]]);
-                if (mesh->edge[edge].triangle[1] < 0 && part[0] <= wide[2] &&
-                    wide[0] <= part[2] && part[1] <= wide[3] && wide[1] <= part[3])
+                if (mesh->edge[edge].triangle[1] < 0 && mesh_patches_overlap(part, wide))
                     w->border[count++] = edge;
             }
     return count;
@@ -264,11 +247,8 @@ enum status mesh_patches_init(struct mesh_patches *p, const struct mesh_cells *m
     *p = (struct mesh_patches){0};
     const int boxes = count_boxes(&w);
     TRY(room_cut(&p->room, ROOM(p->part, boxes), ROOM(p->first, boxes), ROOM(p->end, boxes),
-                 ROOM(p->convex, boxes)));
+                 ROOM(p->convex, boxes), ROOM(p->order, mesh->count)));
     TRY(room_cut(&room, ROOM(w.border, 3 * mesh->count), ROOM(w.before, points)));
-    p->order = calloc((size_t)mesh->count, sizeof *p->order);
-    if (!p->order)
-        TRY(STATUS_MEMORY);
     TRY(find_order(mesh, p->order));
     if (mesh->start)
         goto out;

@@ -15,8 +15,8 @@
 #include "models/mesh_cells.h"
 
 struct mesh_patches {
-    int *order; /* [cells] triangles                                             owned  */
-    void *room; /* of what follows, all [boxes], level by level from 1           owned  */
+    void *room; /* of the arrays up to `convex`                                  owned  */
+    int *order; /* [cells] triangles; what follows is [boxes], level by level from 1    */
     double (*part)[4]; /* rectangles: least u and v, largest                       [m] */
     int *first, *end;  /* into near                                                    */
     bool *convex;      /* what the patch has of the pattern                            */
@@ -35,13 +35,17 @@ void mesh_patches_clear(struct mesh_patches *p);
 bool mesh_patches_between(const struct mesh_patches *p, int level, int a, int b,
                           double part[4], const int **near, const int **end);
 
+/* Tells whether two rectangles meet. */
+static inline bool mesh_patches_overlap(const double a[4], const double b[4])
+{
+    return a[0] <= b[2] && b[0] <= a[2] && a[1] <= b[3] && b[1] <= a[3];
+}
+
 /* Tells whether a box of a level meets a part. */
 static inline bool mesh_patches_meets(const struct mesh_patches *p, int level, int a,
                                       const double part[4])
 {
-    const double *own = p->part[p->start[level] + a];
-
-    return own[0] <= part[2] && part[0] <= own[2] && own[1] <= part[3] && part[1] <= own[3];
+    return mesh_patches_overlap(p->part[p->start[level] + a], part);
 }
 
 #endif

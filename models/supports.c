@@ -86,7 +86,7 @@ static bool holds(const struct scene *scene, int support, double t)
 }
 
 /* Fills owner[3 nodes]: the support holding each unknown at the start, -1 if none; the
- * first wins. */
+ * first wins, grippers after all others: a clamp has to be one when they are gone. */
 static enum status assign(const struct scene *scene, int nodes, double (*uvw)[3],
                           int *owner, struct message *why)
 {
@@ -95,9 +95,12 @@ static enum status assign(const struct scene *scene, int nodes, double (*uvw)[3]
             uvw[n / 3][2] == SUPPORTS_NONE || (uvw[n / 3][2] == SUPPORTS_ONE && n % 3)
                 ? SUPPORTS_NOBODY
                 : -1;
-    for (int n = 0; n < scene->support_count; n++) {
+    for (int turn = 0; turn < 2 * scene->support_count; turn++) {
+        const int n = turn % scene->support_count;
         const struct scene_support *s = &scene->supports[n];
         int count = 0;
+        if (scene_grips(s) != turn / scene->support_count)
+            continue;
         bool layered = false; /* nodes above and below */
         for (int a = 0; a < nodes; a++) {
             layered |=
@@ -348,7 +351,13 @@ bool supports_change(struct supports *s, const struct scene *scene, double t,
     for (int n = 0; s->whose && n < scene->support_count; n++)
         changed |= holds(scene, n, t) != holds(scene, n, s->checked);
     s->checked = t;
-    for (int u = 0; changed && u < 3 * s->nodes; u++) {
+    if (!changed)
+        return false;
+    for (int h = 0; h < s->held_count; h++) /* a model may have given them others */
+        s->whose[s->held[h]] = s->owner[h] < 0 ? s->whose[s->held[h]] : s->owner[h];
+    for (const struct supports_frame *f = s->frame; f < s->frame + s->frame_count; f++)
+        s->whose[3 * f->node] = f->owner;
+    for (int u = 0; u < 3 * s->nodes; u++) {
         const int now = holder(s, scene, u, t);
         if (now == s->whose[u])
             continue;
@@ -547,6 +556,7 @@ void supports_shift(const struct supports *s, const struct scene *scene, double 
         const int owner = difference ? -1 - s->owner[n] : s->owner[n], i = s->held[n] % 3;
         const struct scene_motion *motion = &scene->supports[owner].motion;
         const struct supports_frame *f = frame_of(s, s->held[n] / 3);
+        const double *X = s->whose ? s->grip[s->held[n]] : s->rest ? s->rest[n] : NULL;
         if (owner != placed)
             scene_motion_at(motion, t, &place);
         placed = owner;
@@ -555,14 +565,9 @@ void supports_shift(const struct supports *s, const struct scene *scene, double 
             continue;
         }
         shift[n] = difference ? 0 : place.shift[i];
-        if (s->whose) {
-            const double *X = s->grip[s->held[n]];
+        if (X)
             shift[n] += (motion->turn_count ? vector_dot(place.turn[i], X) : X[i]) -
-                        s->home[s->held[n]];
-            continue;
-        }
-        if (motion->turn_count)
-            shift[n] += vector_dot(place.turn[i], s->rest[n]) - s->rest[n][i];
+                        (s->whose ? s->home[s->held[n]] : X[i]);
     }
 }
 

@@ -9,13 +9,13 @@
 
 #include "models/scene.h"
 
-/* Parameters w of coefficients that describe a whole column: its mid-surface, which
- * moves with a support, and its differences across the thickness, which a turn alone
- * changes. */
+/* Coefficients that describe a whole column have these parameters w: its mid-surface moves
+ * with a support, and its differences across the thickness change by a turn alone. */
 enum { SUPPORTS_MIDDLE = -1, SUPPORTS_DIFFERENCE = -2 };
 
-/* That of a node which is no place but has one unknown, its first component, or none, or
- * three: supports do not take it, and what is no unknown is held by nobody, as at rest. */
+/* A node that is no place has one of these: it has one unknown, its first component, or
+ * none, or three. Supports do not take it, and nobody holds what is no unknown, as at rest.
+ */
 enum {
     SUPPORTS_ONE = -3,
     SUPPORTS_NONE = -4,
@@ -23,9 +23,9 @@ enum {
     SUPPORTS_NOBODY = -(1 << 30)
 };
 
-/* A node whose unknowns are not its components along x, y, z but those in a frame: beside a
- * clamped edge the sheet's direction is held, but not how far it stretches that way (a skew
- * support). */
+/* The unknowns of some nodes are not their components along x, y, z but those in a frame:
+ * beside a clamped edge the sheet's direction is held, but not how far it stretches that
+ * way (a skew support). */
 struct supports_frame {
     int node, owner; /* owner: the support n that it follows                             */
     int beside;      /* the edge's node, whence the way goes that is free                */
@@ -71,8 +71,8 @@ enum status supports_init(struct supports *s, const struct scene *scene, int nod
                           double (*uvw)[3], const double *rest, struct message *why);
 void supports_clear(struct supports *s);
 
-/* Returns how many components may ever be held: arrays of [held_count] need room for them.
- */
+/* Returns how many components may ever be held: arrays of [held_count] have room for so
+ * many. */
 int supports_most(const struct supports *s);
 
 /* Lets grippers take hold and let go at time t, the start of a step, of nodes at
@@ -129,9 +129,8 @@ enum status supports_allow_rest(const struct supports *s, const struct scene *sc
 void supports_initial_velocity(const struct supports *s, const struct scene *scene,
                                const double *rest, const double (*uvw)[3], double *v);
 
-/* The parts of the columns that a scene's supports take: each the full thickness; or some
- * of them the mid-surface and neither face, a hinge; or parts that columns as unknowns
- * cannot hold. */
+/* Supports take these parts of columns: each the full thickness; or some of them the
+ * mid-surface and neither face, a hinge; or parts that columns as unknowns cannot hold. */
 enum supports_columns { SUPPORTS_WHOLE, SUPPORTS_HINGED, SUPPORTS_LAYERED };
 enum supports_columns supports_columns(const struct scene *scene);
 

@@ -11,9 +11,15 @@
 
 static const double PAPER_DAMPING = 0.005; /* share of the velocity lost a frame       */
 
-/* The iterations of a step at most, unless the settings tell; then the frames from one
- * measurement of what they leave to the next. */
+/* A step has so many iterations at most, unless the settings tell how many; then what they
+ * leave is measured each time after so many frames. */
 enum { MOST_ITERATIONS = 1000, MEASURED = 10 };
+
+/* Returns the place of an unknown in three fields. */
+static ptrdiff_t place(const struct pd_motion *m, int unknown)
+{
+    return unknown % 3 * pd_net_stride(&m->energy.net) + unknown / 3;
+}
 
 /* Returns the acceleration of a free node on which no neighbour pulls, component c, its
  * place `at` in three fields, less damping [m/s^2]. */
@@ -144,13 +150,13 @@ static enum status make_air(struct pd_motion *m)
 
     if (st != STATUS_OK || m->air.density == 0)
         return st;
-    TRY(room_cut(&m->room, ROOM(m->gust_x, 3 * nodes), ROOM(m->gust_v, 3 * nodes),
+    TRY(room_cut(&m->gust_room, ROOM(m->gust_x, 3 * nodes), ROOM(m->gust_v, 3 * nodes),
                  ROOM(m->gust_from, 3 * nodes), ROOM(m->gust.force, 3 * nodes),
                  ROOM(m->gust.hold, nodes), ROOM(load, 3 * nodes), ROOM(drag, nodes)));
     for (int k = 0; k < net->nodes; k++) {
         drag[k] = m->alpha * m->energy.mass[k];
         for (int c = 0; c < 3; c++)
-            load[3 * k + c] = m->energy.mass[k] * fall(m, c, c * pd_net_stride(net) + k);
+            load[3 * k + c] = m->energy.mass[k] * fall(m, c, place(m, 3 * k + c));
     }
     m->gust.nodes = net->nodes, m->gust.mass = m->energy.mass;
     m->gust.load = load, m->gust.drag = drag;
@@ -171,7 +177,7 @@ static void meet_air(struct pd_motion *m, const double *x, double dt, const doub
     if (!m->blow)
         return;
     for (int n = 0; n < 3 * net->nodes; n++) {
-        const ptrdiff_t at = n % 3 * pd_net_stride(net) + n / 3;
+        const ptrdiff_t at = place(m, n);
         m->gust_v[n] = m->v[at], m->gust_from[n] = from[at];
         m->gust_x[n] = x[at] + dt * m->v[at];
     }
@@ -180,8 +186,7 @@ static void meet_air(struct pd_motion *m, const double *x, double dt, const doub
     air_ahead(&m->air, &m->gust);
     for (int n = 0; n < 3 * net->nodes; n++)
         if (m->energy.mass[n / 3] > 0)
-            m->blow[n % 3 * pd_net_stride(net) + n / 3] =
-                m->gust.force[n] / m->energy.mass[n / 3];
+            m->blow[place(m, n)] = m->gust.force[n] / m->energy.mass[n / 3];
 }
 
 /* --- BDF2 (pd_motion.h) ------------------------------------------------------------------
@@ -254,8 +259,7 @@ static void lead(struct pd_motion *m)
     for (int side = -1; side < 2; side += 2) {
         supports_shift(s, m->scene, m->time + side * m->dt, m->shift);
         for (int h = 0; h < s->held_count; h++) {
-            const ptrdiff_t at =
-                s->held[h] % 3 * pd_net_stride(&m->energy.net) + s->held[h] / 3;
+            const ptrdiff_t at = place(m, s->held[h]);
             m->v[at] = (side < 0 ? 0 : m->v[at]) + side * m->shift[h] / (2 * m->dt);
             if (m->options.second && side > 0)
                 b->v[at] = m->v[at], b->x[at] = m->x[at] - m->dt * m->v[at];
@@ -267,10 +271,9 @@ static void lead(struct pd_motion *m)
 static enum status change_hands(struct pd_motion *m)
 {
     enum status st = STATUS_OK;
-    const struct pd_net *net = &m->energy.net;
 
-    for (int n = 0; m->spread && n < 3 * net->nodes; n++)
-        m->spread[n] = m->x[n % 3 * pd_net_stride(net) + n / 3];
+    for (int n = 0; m->spread && n < 3 * m->energy.net.nodes; n++)
+        m->spread[n] = m->x[place(m, n)];
     if (!m->spread || !supports_change(&m->supports, m->scene, m->time, m->spread))
         return st;
     lead(m);
@@ -309,17 +312,15 @@ static enum status allocate(struct pd_motion *m)
                          &m->next, &m->before, &m->saved};
     enum { COUNT = sizeof fields / sizeof *fields };
     const struct pd_net *net = &m->energy.net;
+    const struct supports *s = &m->supports;
 
     if (!(m->fields = pd_net_fields(net, 3 * COUNT)))
         return STATUS_MEMORY;
     for (int n = 0; n < COUNT; n++)
         *fields[n] = m->fields + 3 * n * pd_net_stride(net);
-    m->shift = calloc((size_t)supports_most(&m->supports) + 1, sizeof *m->shift);
-    if (m->supports.whose && m->shift)
-        m->spread = calloc(3 * (size_t)net->nodes, sizeof *m->spread);
-    m->push = calloc((size_t)m->scene->obstacle_count + 1, sizeof *m->push);
-    return m->shift && m->push && (m->spread || !m->supports.whose) ? STATUS_OK
-                                                                    : STATUS_MEMORY;
+    return room_cut(&m->room, ROOM(m->shift, supports_most(s)),
+                    ROOM(m->spread, s->whose ? 3 * (size_t)net->nodes : 0),
+                    ROOM(m->push, m->scene->obstacle_count + 1));
 }
 
 static enum status add_loads(struct pd_motion *m)
@@ -333,7 +334,7 @@ static enum status add_loads(struct pd_motion *m)
     m->dead = pd_net_fields(net, 3);
     for (int n = 0; m->dead && n < 3 * net->nodes; n++)
         if (m->energy.mass[n / 3] > 0) /* a slope has none */
-            m->dead[n % 3 * pd_net_stride(net) + n / 3] = force[n] / m->energy.mass[n / 3];
+            m->dead[place(m, n)] = force[n] / m->energy.mass[n / 3];
     free(force);
     return m->dead ? STATUS_OK : STATUS_MEMORY;
 }
@@ -395,10 +396,8 @@ void pd_motion_clear(void *motion)
     pd_net_free_fields(&m->energy.net, m->dead);
     pd_net_free_fields(&m->energy.net, m->blow);
     air_clear(&m->air);
+    free(m->gust_room);
     free(m->room);
-    free(m->shift);
-    free(m->push);
-    free(m->spread);
     free(m->backward.room);
     pd_contact_clear(&m->contact);
     pd_local_clear(&m->local);
@@ -448,11 +447,6 @@ out:
 
 /* --- the step ----------------------------------------------------------------------------
  */
-
-static ptrdiff_t place(const struct pd_motion *m, int unknown)
-{
-    return unknown % 3 * pd_net_stride(&m->energy.net) + unknown / 3;
-}
 
 static void exchange(double **a, double **b)
 {

@@ -60,8 +60,7 @@ struct pd_motion {
     struct pd_system system;
     struct pd_local local;
     struct pd_contact contact; /* all zero without obstacles                           */
-    double (*push)[6]; /* [obstacles] force and moment, mean over the last frame [N, N m]
-                          owned                                                        */
+    double (*push)[6]; /* [obstacles] force and moment, mean over the last frame [N, N m] */
     double dt, alpha;  /* [s], [1/s]                                                    */
     double share;      /* ADMM's weight of the split; 0: there is none                   */
     double span;       /* Euler's step [s]: dt, less with BDF2                          */
@@ -75,14 +74,14 @@ struct pd_motion {
     double *x, *v;  /* three fields each                                            */
     double *base, *start, *next, *before; /* work, the same                           */
     double *saved;  /* Chebyshev: what it may fall back to, as x                       */
-    double *shift;  /* [held]                          owned    */
-    double *spread; /* [nodes][3] with grippers: x                          owned    */
+    double *shift;  /* [held]                                                          */
+    double *spread; /* [nodes][3] with grippers: x                                      */
     double *dead;   /* accelerations by the scene's loads, as x; NULL: none    owned    */
     struct air air; /* density 0: none                                                 */
     double *blow;   /* accelerations by it in the step, as x; NULL: none      owned    */
-    struct air_step gust; /* of the step's air, with arrays of `room`                   */
+    struct air_step gust; /* of the step's air                                         */
     double *gust_x, *gust_v, *gust_from; /* its x, v and from                          */
-    void *room; /*                                                  owned    */
+    void *room, *gust_room; /* memory of push, shift and spread; of the air's   owned  */
     double time;
     bool counted; /* the factorisation of create                                       */
 };

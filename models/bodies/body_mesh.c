@@ -54,32 +54,32 @@ static int compare_places(const void *a, const void *b)
 static enum status weld(struct obstacle_mesh *m, const double (*vertex)[3], int triangles,
                         const int (*triangle)[3])
 {
-    struct place *sorted = malloc((size_t)m->vertices * sizeof *sorted);
-    int *same = malloc((size_t)m->vertices * sizeof *same);
+    struct place *sorted;
+    int *same;
+    void *room;
+    enum status st;
 
-    if (sorted && same) {
-        for (int n = 0; n < m->vertices; n++) {
-            sorted[n].vertex = n;
-            for (int i = 0; i < 3; i++) /* no -0 */
-                sorted[n].x[i] = m->vertex[n][i] = vertex[n][i] + 0.0;
-        }
-        qsort(sorted, (size_t)m->vertices, sizeof *sorted, compare_places);
-        for (int n = 0; n < m->vertices; n++) {
-            const bool again =
-                n > 0 && !memcmp(sorted[n].x, sorted[n - 1].x, sizeof sorted[n].x);
-            same[sorted[n].vertex] = again ? same[sorted[n - 1].vertex] : sorted[n].vertex;
-        }
-        for (int t = 0; t < triangles; t++) {
-            int *c = m->corner[m->triangles];
-            for (int k = 0; k < 3; k++)
-                c[k] = same[triangle[t][k]];
-            m->triangles += c[0] != c[1] && c[1] != c[2] && c[2] != c[0];
-        }
+    TRY(room_cut(&room, ROOM(sorted, m->vertices), ROOM(same, m->vertices)));
+    for (int n = 0; n < m->vertices; n++) {
+        sorted[n].vertex = n;
+        for (int i = 0; i < 3; i++) /* no -0 */
+            sorted[n].x[i] = m->vertex[n][i] = vertex[n][i] + 0.0;
     }
-    const bool good = sorted && same;
-    free(sorted);
-    free(same);
-    return good ? STATUS_OK : STATUS_MEMORY;
+    qsort(sorted, (size_t)m->vertices, sizeof *sorted, compare_places);
+    for (int n = 0; n < m->vertices; n++) {
+        const bool again =
+            n > 0 && !memcmp(sorted[n].x, sorted[n - 1].x, sizeof sorted[n].x);
+        same[sorted[n].vertex] = again ? same[sorted[n - 1].vertex] : sorted[n].vertex;
+    }
+    for (int t = 0; t < triangles; t++) {
+        int *c = m->corner[m->triangles];
+        for (int k = 0; k < 3; k++)
+            c[k] = same[triangle[t][k]];
+        m->triangles += c[0] != c[1] && c[1] != c[2] && c[2] != c[0];
+    }
+out:
+    free(room);
+    return st;
 }
 
 static struct box box_of(const struct obstacle_mesh *m, int first, int end)
@@ -175,6 +175,15 @@ static const double *corner_of(const struct obstacle_mesh *m, int t, int k)
     return m->vertex[m->corner[t][k % 3]];
 }
 
+/* Refuses the mesh for what is at the places a and b. */
+static enum status refuse(const char *before, const double a[3], const char *between,
+                          const double b[3], const char *after, struct message *why)
+{
+    return status_fail(why, STATUS_INPUT,
+                       "%s (%.6g, %.6g, %.6g) m %s (%.6g, %.6g, %.6g) m %s", before, a[0],
+                       a[1], a[2], between, b[0], b[1], b[2], after);
+}
+
 /* Computes faces' normals, and their sums at vertices. */
 static enum status make_normals(struct obstacle_mesh *m, struct message *why)
 {
@@ -186,15 +195,11 @@ static enum status make_normals(struct obstacle_mesh *m, struct message *why)
         }
         vector_cross(e[0], e[1], n);
         const double area = vector_length(n);
-        if (!(area > FLAT * longest)) {
-            const double *a = corner_of(m, t, 0), *b = corner_of(m, t, 1);
-            return status_fail(
-                why, STATUS_INPUT,
-                "a triangle at (%.6g, %.6g, %.6g) m and (%.6g, %.6g, %.6g) m "
-                "has its three corners on a line; leave it out and let its "
-                "neighbours share their corners",
-                a[0], a[1], a[2], b[0], b[1], b[2]);
-        }
+        if (!(area > FLAT * longest))
+            return refuse("a triangle at", corner_of(m, t, 0), "and", corner_of(m, t, 1),
+                          "has its three corners on a line; leave it out and let its "
+                          "neighbours share their corners",
+                          why);
         for (int i = 0; i < 3; i++)
             n[i] /= area;
         for (int k = 0; k < 3; k++) {
@@ -222,25 +227,15 @@ static int compare_edges(const void *a, const void *b)
     return p->side - q->side;
 }
 
-static enum status refuse_edge(const struct obstacle_mesh *m, const struct edge *e,
-                               struct message *why)
-{
-    const double *a = m->vertex[e->low], *b = m->vertex[e->high];
-
-    return status_fail(
-        why, STATUS_INPUT,
-        "the triangles at the edge from (%.6g, %.6g, %.6g) m to (%.6g, %.6g, "
-        "%.6g) m are more than two or face opposite ways; one or two that "
-        "are counter-clockwise seen from outside would be right",
-        a[0], a[1], a[2], b[0], b[1], b[2]);
-}
-
 /* Tells triangles their neighbours; vertices of a rim get no normal. */
-static enum status join(const struct obstacle_mesh *m, struct edge *edge,
-                        struct message *why)
+static enum status join(const struct obstacle_mesh *m, struct message *why)
 {
     const int count = 3 * m->triangles;
+    struct edge *edge = malloc((size_t)count * sizeof *edge);
+    enum status st = STATUS_OK;
 
+    if (!edge)
+        return STATUS_MEMORY;
     for (int n = 0; n < count; n++) {
         const int a = m->corner[n / 3][n % 3], b = m->corner[n / 3][(n + 1) % 3];
         edge[n] = (struct edge){a < b ? a : b, a < b ? b : a, n};
@@ -258,11 +253,17 @@ static enum status join(const struct obstacle_mesh *m, struct edge *edge,
             m->beside[other / 3][other % 3] = s / 3;
         if (more > 2 ||
             (other >= 0 && m->corner[other / 3][other % 3] == m->corner[s / 3][s % 3]))
-            return refuse_edge(m, e, why);
+            TRY(refuse("the triangles at the edge from", m->vertex[e->low], "to",
+                       m->vertex[e->high],
+                       "are more than two or face opposite ways; one or two that are "
+                       "counter-clockwise seen from outside would be right",
+                       why));
         for (int i = 0; other < 0 && i < 3; i++)
             m->bend[e->low][i] = m->bend[e->high][i] = 0;
     }
-    return STATUS_OK;
+out:
+    free(edge);
+    return st;
 }
 
 /* Tells whether the mesh is closed and faces away from what it encloses. */
@@ -282,15 +283,6 @@ static bool is_outward(const struct obstacle_mesh *m)
         volume += vector_dot(a, n);
     }
     return volume > 0;
-}
-
-static enum status make_neighbours(const struct obstacle_mesh *m, struct message *why)
-{
-    struct edge *edge = malloc(3 * (size_t)m->triangles * sizeof *edge);
-    const enum status st = edge ? join(m, edge, why) : STATUS_MEMORY;
-
-    free(edge);
-    return st;
 }
 
 enum status body_mesh_make(int vertices, const double (*vertex)[3], int triangles,
@@ -318,7 +310,7 @@ enum status body_mesh_make(int vertices, const double (*vertex)[3], int triangle
     TRY(sort_triangles(m));
     make_tree(m);
     TRY(make_normals(m, why));
-    TRY(make_neighbours(m, why));
+    TRY(join(m, why));
     m->outward = is_outward(m);
     *mesh = m, room = NULL;
 out:
@@ -359,7 +351,8 @@ bool body_mesh_edge(const struct obstacle_mesh *mesh, int side, double normal[3]
 /* --- the distance ----------------------------------------------------------------------
  */
 
-/* The nearest point so far: in a triangle's face, on its edge, or at its corner. */
+/* A foot is the nearest point so far: in a triangle's face, on its edge, or at its corner.
+ */
 struct foot {
     double square; /* of its distance; or the most that is wanted                       */
     double place[3];
@@ -367,14 +360,6 @@ struct foot {
     enum { FOOT_FACE, FOOT_EDGE, FOOT_CORNER } on;
     int k; /* of the edge or corner                                                    */
 };
-
-static double square_between(const double a[3], const double b[3])
-{
-    double d[3];
-
-    vector_between(a, b, d);
-    return vector_dot(d, d);
-}
 
 /* Tries the edge from corner k of triangle t, e[3] long, for x = corner + r. */
 static void try_edge(const struct obstacle_mesh *m, const double x[3], int t, int k,
@@ -384,10 +369,12 @@ static void try_edge(const struct obstacle_mesh *m, const double x[3], int t, in
     struct foot at = {.triangle = t,
                       .on = s > 0 && s < 1 ? FOOT_EDGE : FOOT_CORNER,
                       .k = s < 1 ? k : (k + 1) % 3};
+    double way[3];
 
     for (int i = 0; i < 3; i++)
         at.place[i] = s < 1 ? corner_of(m, t, k)[i] + s * e[i] : corner_of(m, t, k + 1)[i];
-    at.square = square_between(at.place, x);
+    vector_between(at.place, x, way);
+    at.square = vector_dot(way, way);
     if (at.square < f->square)
         *f = at;
 }
@@ -466,13 +453,13 @@ static void search(const struct obstacle_mesh *m, const double x[3], struct foot
 /* Computes the sum of normals at a foot, 0 on a rim. */
 static void pseudonormal(const struct obstacle_mesh *m, const struct foot *f, double n[3])
 {
-    const int t = f->triangle, beside = m->beside[t][f->k];
+    const int t = f->triangle;
 
-    for (int i = 0; i < 3; i++)
-        n[i] = f->on == FOOT_CORNER ? m->bend[m->corner[t][f->k]][i]
-               : f->on == FOOT_FACE ? m->face[t][i]
-               : beside < 0         ? 0
-                                    : m->face[t][i] + m->face[beside][i];
+    if (f->on == FOOT_EDGE)
+        body_mesh_edge(m, 3 * t + f->k, n);
+    else
+        memcpy(n, f->on == FOOT_FACE ? m->face[t] : m->bend[m->corner[t][f->k]],
+               sizeof *m->face);
 }
 
 double body_mesh_distance(const struct obstacle_mesh *mesh, const double x[3], double most,
@@ -490,7 +477,7 @@ double body_mesh_distance(const struct obstacle_mesh *mesh, const double x[3], d
     pseudonormal(mesh, &f, n);
     vector_between(f.place, x, way);
     const double distance = sqrt(f.square), sign = vector_dot(way, n) < 0 ? -1 : 1;
-    const double size = sqrt(square_between(mesh->box[0].lo, mesh->box[0].hi));
+    const double size = vector_distance(mesh->box[0].lo, mesh->box[0].hi);
     const double *along = mesh->face[f.triangle];
     double scale = 1;
     if (f.on != FOOT_FACE && distance > TOUCHING * size)

@@ -18,7 +18,7 @@
 
 struct obstacle_mesh;
 
-/* The most triangles, and vertices, of a mesh. */
+/* A mesh has at most so many triangles, and vertices. */
 enum { BODY_MESH_MOST = 1000000, BODY_MESH_MOST_VERTICES = 3000000 };
 
 /* Makes a mesh of finite vertex[vertices][3] [m] and triangle[triangles][3], whose corners
@@ -38,7 +38,7 @@ enum status body_mesh_make(int vertices, const double (*vertex)[3], int triangle
 double body_mesh_distance(const struct obstacle_mesh *mesh, const double x[3], double most,
                           double normal[3]);
 
-/* The mesh as it was made; arrays are the mesh's. */
+/* This is the mesh as it was made; the arrays belong to it. */
 struct body_mesh_view {
     int vertices, triangles;
     const double (*vertex)[3]; /* [vertices]                                    [m]   */

@@ -19,22 +19,18 @@ void body_shape_carry(const struct scene_placement *to, const struct scene_place
  * `axis` (NULL: z). */
 static void set_normal(const double d[3], double size, const double *axis, double normal[3])
 {
-    static const double up[3] = {0, 0, 1};
-    double any[3] = {0, 0, 0};
+    double any[3] = {0, 0, 0}, across[3];
     int least = 0;
 
-    if (size > 0 || !axis) {
-        for (int i = 0; i < 3; i++)
-            normal[i] = size > 0 ? d[i] / size : up[i];
-        return;
+    if (!(size > 0) && axis) {
+        for (int i = 1; i < 3; i++)
+            least = fabs(axis[i]) < fabs(axis[least]) ? i : least;
+        any[least] = 1;
+        vector_cross(axis, any, across);
+        d = across, size = vector_length(d);
     }
-    for (int i = 1; i < 3; i++)
-        least = fabs(axis[i]) < fabs(axis[least]) ? i : least;
-    any[least] = 1;
-    vector_cross(axis, any, normal);
-    size = vector_length(normal);
     for (int i = 0; i < 3; i++)
-        normal[i] = size > 0 ? normal[i] / size : up[i];
+        normal[i] = size > 0 ? d[i] / size : i == 2;
 }
 
 static double from_plane(const struct scene_obstacle *o, const double x[3],
@@ -113,29 +109,17 @@ static double from_mesh(const struct scene_obstacle *o, const double x[3], doubl
 double body_shape_near(const struct scene_obstacle *o, const struct scene_placement *pose,
                        const double x[3], double most, double normal[3])
 {
-    double X[3] = {x[0], x[1], x[2]}, n[3] = {0, 0, 1}, distance = NAN;
+    static double (*const from[])(const struct scene_obstacle *, const double[3],
+                                  double[3]) = {[OBSTACLE_PLANE] = from_plane,
+                                                [OBSTACLE_SPHERE] = from_sphere,
+                                                [OBSTACLE_CAPSULE] = from_capsule,
+                                                [OBSTACLE_BOX] = from_box};
+    double X[3] = {x[0], x[1], x[2]}, n[3] = {0, 0, 1};
 
     if (pose)
         scene_placement_back(pose, x, X);
-    switch (o->kind) {
-    case OBSTACLE_PLANE:
-        distance = from_plane(o, X, n);
-        break;
-    case OBSTACLE_SPHERE:
-        distance = from_sphere(o, X, n);
-        break;
-    case OBSTACLE_CAPSULE:
-        distance = from_capsule(o, X, n);
-        break;
-    case OBSTACLE_BOX:
-        distance = from_box(o, X, n);
-        break;
-    case OBSTACLE_MESH:
-        distance = from_mesh(o, X, most, n);
-        break;
-    case OBSTACLE_KINDS:
-        break;
-    }
+    const double distance =
+        o->kind == OBSTACLE_MESH ? from_mesh(o, X, most, n) : from[o->kind](o, X, n);
     if (normal && pose)
         scene_placement_turn(pose, n, normal);
     else if (normal)

@@ -1,6 +1,4 @@
-/* body_shape.h - the geometry of bodies: distance and normal.
- * Model-free.
- */
+/* body_shape.h - the geometry of bodies: distance and normal; it knows of no model. */
 #ifndef BODY_SHAPE_H
 #define BODY_SHAPE_H
 

@@ -53,20 +53,22 @@ static void append(struct contact *c, int count, const int *node, const double *
     }
 }
 
-/* Appends a touch of a sample that is filled but for its weights, with the foot's. */
+/* Appends a touch that is filled but for its nodes and their weights: those of its sample
+ * less the foot's, or, without a sample (-1), those given. */
 static enum status add(struct contact *c, struct contact_touch touch, int count,
                        const int *node, const double *weight)
 {
     const struct contact_surface *s = &c->surface;
-    const size_t row = (size_t)touch.sample * s->width;
+    const int own = touch.sample < 0 ? 0 : s->used[touch.sample];
+    const size_t row = own ? (size_t)touch.sample * s->width : 0;
 
     touch.first = c->weights;
-    touch.count = s->used[touch.sample] + count;
+    touch.count = own + count;
     const enum status st = make_room(c, touch.count);
     if (st != STATUS_OK)
         return st;
-    append(c, s->used[touch.sample], s->node + row, s->shape + row, 1);
-    append(c, count, node, weight, -1);
+    append(c, own, s->node + row, s->shape + row, 1);
+    append(c, count, node, weight, own ? -1 : 1);
     c->touch[c->count++] = touch;
     return STATUS_OK;
 }
@@ -85,31 +87,17 @@ static enum status add_body(struct contact *c, int sample, int obstacle, double 
     return add(c, touch, 0, NULL, NULL);
 }
 
-/* Appends a touch of no sample, that is filled but for its nodes and their weights. */
-static enum status add_loose(struct contact *c, struct contact_touch touch, int count,
-                             const int *node, const double *weight)
-{
-    const enum status st = make_room(c, count);
-
-    if (st != STATUS_OK)
-        return st;
-    touch.sample = -1, touch.first = c->weights, touch.count = count;
-    append(c, count, node, weight, 1);
-    c->touch[c->count++] = touch;
-    return STATUS_OK;
-}
-
 /* Appends a touch of a rim's point with another rim. */
 static enum status add_rim(void *context, const struct contact_rim_foot *foot)
 {
     const double *n = foot->normal;
-    const struct contact_touch touch = {.obstacle = -1,
+    const struct contact_touch touch = {.sample = -1,
+                                        .obstacle = -1,
                                         .D = foot->distance,
                                         .normal = {n[0], n[1], n[2]},
                                         .area = foot->area / 2};
 
-    return add_loose(context, touch, foot->of_point + foot->of_foot, foot->node,
-                     foot->weight);
+    return add(context, touch, foot->of_point + foot->of_foot, foot->node, foot->weight);
 }
 
 /* Tells whether a sample presses between places of the sheet that are D apart about as much
@@ -177,12 +165,13 @@ static enum status add_features(struct contact *c, const double *x, int *passed)
         if (!contact_thin_foot(&c->thin, n, &step, &f))
             continue;
         const struct contact_touch touch = {
+            .sample = -1,
             .obstacle = f.obstacle,
             .D = f.distance,
             .D_old = f.before,
             .normal = {f.normal[0], f.normal[1], f.normal[2]},
             .area = f.area};
-        TRY(add_loose(c, touch, f.count, f.node, f.weight));
+        TRY(add(c, touch, f.count, f.node, f.weight));
         c->least = fmin(c->least, f.distance - c->body.start);
     }
 out:
@@ -639,6 +628,18 @@ void contact_force(const struct contact *c, double *force)
                     c->weight[k] * (t->push * t->normal[i] + t->rub[i]);
 }
 
+void contact_force_at(const double at[3], const double force[3], double share,
+                      double sum[6])
+{
+    double moment[3];
+
+    vector_cross(at, force, moment);
+    for (int i = 0; i < 3; i++) {
+        sum[i] += share * force[i];
+        sum[3 + i] += share * moment[i];
+    }
+}
+
 void contact_force_bodies(const struct contact *c, const double *x, double share,
                           double (*body)[6])
 {
@@ -646,7 +647,7 @@ void contact_force_bodies(const struct contact *c, const double *x, double share
         for (int i = 0; i < 6; i++)
             body[o][i] += share * c->landed[o][i];
     for (const struct contact_touch *t = c->touch; t < c->touch + c->count; t++) {
-        double at[3] = {0}, force[3], moment[3];
+        double at[3] = {0}, force[3];
         if (t->obstacle < 0)
             continue;
         for (int k = t->first; k < t->first + t->count; k++)
@@ -656,11 +657,7 @@ void contact_force_bodies(const struct contact *c, const double *x, double share
             }
         for (int i = 0; i < 3; i++)
             force[i] = t->push * t->normal[i] + t->rub[i];
-        vector_cross(at, force, moment);
-        for (int i = 0; i < 3; i++) {
-            body[t->obstacle][i] += share * force[i];
-            body[t->obstacle][3 + i] += share * moment[i];
-        }
+        contact_force_at(at, force, share, body[t->obstacle]);
     }
 }
 

@@ -136,6 +136,10 @@ void contact_force(const struct contact *c, double *force);
 void contact_force_bodies(const struct contact *c, const double *x, double share,
                           double (*body)[6]);
 
+/* Adds `share` of a force at a place, and of its moment about the origin, to sum. */
+void contact_force_at(const double at[3], const double force[3], double share,
+                      double sum[6]);
+
 /* Computes the force of all, model_contact's. */
 void contact_force_sum(const struct contact *c, const double (*body)[6], double force[3]);
 

@@ -4,9 +4,9 @@
  * cells; they are numbered by the sample at their first corner:
  *   2 (i points[1] + j):      (i,j), (i+1,j), (i+1,j+1)
  *   2 (i points[1] + j) + 1:  (i,j), (i+1,j+1), (i,j+1).
- * A mesh has triangles of its own, with their own numbers.
- * The closest point of those is refined, so that foot, distance and normal move
- * continuously with the sheet. Positions y[count][3] of the samples come from x[nodes][3].
+ * A mesh has triangles of its own, with their own numbers. The closest point of those is
+ * refined, so that foot, distance and normal move continuously with the sheet. Positions
+ * y[count][3] of the samples come from x[nodes][3].
  *
  * A smooth surface (rows of several nodes) has the foot that is closest on itself, and on
  * where it goes on straight beyond its ends: D is then once continuously differentiable,
@@ -14,13 +14,13 @@
  *
  * A net is its triangles, and has the foot at which y - foot is parallel to the normal
  * interpolated between the corners (from central differences, on a mesh the mean of the
- * triangles around by their areas). The closest point of the
- * triangles would not do: on the hollow side of an edge it jumps from face to face, and
- * with it the normal, just where the force pushes a sample to, so that Newton's method
- * finds no end. Here foot and normal are continuous. The force lies along y - foot, and the
- * foot's weights are those of the point where it acts, so momentum and angular momentum are
- * kept exactly; it differs from the energy's gradient by the angle between face and
- * normal, of first order in the cell's size and of mean 0 across a cell.
+ * triangles around by their areas). The closest point of the triangles would not do: on the
+ * hollow side of an edge it jumps from face to face, and with it the normal, just where the
+ * force pushes a sample to, so that Newton's method finds no end. Here foot and normal are
+ * continuous. The force lies along y - foot, and the foot's weights are those of the point
+ * where it acts, so momentum and angular momentum are kept exactly; it differs from the
+ * energy's gradient by the angle between face and normal, of first order in the cell's size
+ * and of mean 0 across a cell.
  *
  * A foot on the border of a net goes on beyond it, too, along the plane of the triangle
  * there, to where the way is normal: its weights are then below 0 and above 1, and momenta
@@ -141,10 +141,10 @@ void contact_foot_refine(const struct contact_sheet *sheet, int count,
                          const struct contact_place *const *place,
                          struct contact_foot *foot, int *node, double *weight);
 
-/* Return shares of a foot in the law, 0 to 1: of two places (u,v), of a
- * mesh in the tree's flat, 0 where they are near
- * along the sheet; and of the squared cosine of the angle to the face's normal under which
- * a foot is seen, 0 from 45 degrees on. Forces would else jump. */
+/* Return shares of a foot in the law, 0 to 1. The first is 0 where two places (u,v), on a
+ * mesh those in the tree's flat, are near along the sheet; the second, of the squared
+ * cosine of the angle to the face's normal under which a foot is seen, is 0 from 45 degrees
+ * on. Forces would else jump. */
 double contact_foot_far(const struct contact_sheet *sheet, const double uv[3],
                         const double other[3]);
 double contact_foot_seen(double square);

@@ -52,7 +52,7 @@ static void nearest_point(const struct scene *scene, const struct scene_obstacle
         x[i] += u * ab[i];
 }
 
-/* A search for the least distance of the mid-surface at rest. */
+/* This is a search for the least distance of the mid-surface at rest. */
 struct least {
     const struct scene *scene;
     const struct scene_obstacle *obstacle;

@@ -110,7 +110,8 @@ static void resist(const struct air *p, const struct gust *g, double D[9])
                (k % 4 == 0) * t;
 }
 
-/* Computes its derivatives by x_u and x_v, G[2][3][3], from that by their product. */
+/* Computes the derivatives of the force by x_u and x_v, G[2][3][3], from that by their
+ * product. */
 static void lean(const struct air *p, const struct gust *g, double G[2][9])
 {
     const double half = p->density / 2, n = half * p->drag[0] * fabs(g->w_n),
@@ -145,7 +146,8 @@ void air_force(const struct air *p, double factor, const struct air_motion *at, 
     }
 }
 
-/* What a point has in the tangent: by velocity over the weight, and by the slopes. */
+/* This is the part of a point in the tangent: by velocity over the weight, and by slopes.
+ */
 struct bend {
     double D[9], G[2][9];
 };
@@ -188,7 +190,7 @@ void air_tangent(const struct air *p, double factor, const struct air_motion *at
             for (int b = 0; b < p->local; b++) {
                 const long pair =
                     node[a] <= node[b] ? blocks_find(graph, node[a], node[b]) : -1;
-                if (pair >= 0) /* those across a cell have no part */
+                if (pair >= 0) /* pairs across a cell have no part */
                     add_pair(p, shape_of(p, n, 0), a, b, bend, K[pair]);
             }
     }

@@ -1,8 +1,9 @@
 /* air.h - a scene's air: drag that grows with the square of the velocity against it, by
  * area and direction of the sheet.
  *
- * With w = wind - velocity of a point of the mid-surface, n its unit normal and the parts
- * w_n = (w n) n and w_t = w - w_n, the force per present area, of both faces together, is
+ * Let w be the wind less the velocity of a point of the mid-surface, n its unit normal, and
+ * w_n = (w n) n and w_t = w - w_n the parts of w. The force per present area, of both faces
+ * together, is
  *
  *   f = rho / 2 (c_n |w_n| w_n + c_t |w_t| w_t):
  *
@@ -13,15 +14,14 @@
  * flow. No part of a sheet shelters another, there is no lift beyond this, and air has no
  * mass.
  *
- * On coefficients x_a with functions N_a the force is int N_a f |x_u x x_v| du dv. The
- * tangent is the symmetric part of its derivative: of the velocity, which is positive
- * semidefinite, and of the normal and area, of which Newton's method can do without the
- * rest.
+ * The force on a coefficient x_a with the function N_a is int N_a f |x_u x x_v| du dv. The
+ * tangent is the symmetric part of its derivative by the velocity, which is positive
+ * semidefinite, and by normal and area; Newton's method can do without the rest.
  *
  * Sweeps, which know no tangent but their own, take the force as constant in a step
- * (air_ahead): that which the step would end with if nothing but loads and air acted,
- * linear in the change of velocity. It never turns a relative velocity round, however long
- * the step.
+ * (air_ahead): it is the one that the step would end with if nothing but loads and air
+ * acted, linear in the change of velocity. It never turns a relative velocity round,
+ * however long the step is.
  */
 #ifndef AIR_H
 #define AIR_H
@@ -47,11 +47,11 @@ enum status air_init(struct air *air, const struct scene *scene, int elements, i
                      int local);
 void air_clear(struct air *air);
 
-/* Sets the wind to that of time t [s]. */
+/* Sets the wind to the one that blows at time t [s]. */
 void air_blow(struct air *air, const struct scene *scene, double t);
 
-/* Where a sheet is, and how fast: the shape (1 - share) x_old + share x, and the velocity
- * v, or, if that is NULL, rate (x - x_old). x_old may be NULL if share is 1 and rate 0. */
+/* A sheet has the shape (1 - share) x_old + share x and the velocity v, or, if that is
+ * NULL, rate (x - x_old). x_old may be NULL if share is 1 and rate 0. */
 struct air_motion {
     const double *x_old, *x, *v; /* [nodes][3]                              [m], [m/s] */
     double share, rate;          /*                                         [1], [1/s] */
@@ -61,19 +61,19 @@ struct air_motion {
 void air_force(const struct air *air, double factor, const struct air_motion *at,
                double *f);
 
-/* Adds to K[pairs] what `factor` times that force takes from it, by x; `firm`: without the
+/* Adds `factor` times minus that force's derivative by x to K[pairs]. `firm` leaves out the
  * part of normal and area. */
 void air_tangent(const struct air *air, double factor, const struct air_motion *at,
                  bool firm, const struct blocks *graph, double (*K)[9]);
 
-/* A step of points that begins with the velocities `from`, of the forces `load`. */
+/* A step of points begins with the velocities `from` and has the forces `load`. */
 struct air_step {
     int nodes;
     double dt;                        /*                              [s]      */
     const double *mass, *drag, *load; /* [nodes] [kg], [nodes] or NULL, force
                                          over velocity [N s/m]; [nodes][3] [N] */
     const double *x, *v, *from;       /* [nodes][3]: shape and velocities about which the
-                                         force is linear                       [m], [m/s]      */
+                                         force is linear         [m], [m/s]    */
     double *force;     /* [nodes][3] computed                           [N]     */
     double (*hold)[9]; /* [nodes] work                                          */
 };

@@ -192,20 +192,6 @@ bool contact_system_tangent(const struct contact *c, const double *x,
     return true;
 }
 
-/* Adds forces at x[nodes][3], and their moment. */
-static void add_landed(double factor, int nodes, const double *force, const double *x,
-                       double sum[6])
-{
-    for (int a = 0; a < nodes; a++) {
-        double moment[3];
-        vector_cross(x + 3 * (size_t)a, force + 3 * (size_t)a, moment);
-        for (int i = 0; i < 3; i++) {
-            sum[i] += factor * force[3 * (size_t)a + i];
-            sum[3 + i] += factor * moment[i];
-        }
-    }
-}
-
 void contact_system_land(struct contact *c, const struct blocks *graph, const double *M,
                          const struct supports *held, const double *x, double *v,
                          double *work)
@@ -228,7 +214,8 @@ void contact_system_land(struct contact *c, const struct blocks *graph, const do
             supports_zero(held, part);
             blocks_multiply_mass(graph, M, part, y);
         }
-        add_landed(share / c->dt, graph->nodes, y, x, c->landed[o]);
+        for (size_t u = 0; u < count; u += 3)
+            contact_force_at(x + u, y + u, share / c->dt, c->landed[o]);
     }
     for (size_t k = 0; k < count; k++)
         v[k] += share * change[k];

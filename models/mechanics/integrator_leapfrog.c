@@ -33,7 +33,7 @@
 #include "models/room.h"
 #include "models/vector.h"
 
-/* The most times that the steps of a frame are doubled. */
+/* The steps of a frame are doubled so many times at most. */
 enum { DOUBLINGS = 8 };
 
 /* The energy that a frame may gain, as a share of the most that moved or was stored so far.
@@ -41,8 +41,8 @@ enum { DOUBLINGS = 8 };
  * much in a few frames from nothing. */
 static const double GAIN = 0.05;
 
-/* The error of a momentum, relative, in watching frames and in what is told; the kinetic
- * energy has its square. */
+/* A momentum has this relative error where frames are watched, and in what is told; the
+ * kinetic energy has its square. */
 static const double WATCHED = 1e-2, TOLD = 1e-7;
 
 /* Strains below this are round-off. */
@@ -277,7 +277,7 @@ static void blow(struct leapfrog *l, double t, double since)
         return;
     air_blow(&m->air, m->scene, t);
     for (size_t k = 0; k < march_count(m); k++)
-        v[k] = m->v[k] + since * (l->a[k] - m->alpha * m->v[k]);
+        v[k] = m->v[k] + (since > 0 ? since * (l->a[k] - m->alpha * m->v[k]) : 0);
     air_force(&m->air, 1, &(struct air_motion){.x = m->x, .v = v, .share = 1}, l->blow);
 }
 
@@ -427,13 +427,18 @@ static enum status meet(struct leapfrog *l, double t, double dt)
 }
 
 /* Adds `share` of what supports have to do against the forces at x. */
-static void weigh(struct leapfrog *l, double share)
+static enum status weigh(struct leapfrog *l, double share)
 {
+    enum status st = STATUS_OK;
     struct march *m = l->m;
     double *left = m->work;
 
     if (!m->weighed)
-        return;
+        return st;
+    if (m->clamps) {
+        TRY(large_body_force(&m->body, &large_path_statics, m->x, left));
+        reaction_clamps(m->scene, m->graph->nodes, left, m->x, share, m->reaction);
+    }
     memset(left, 0, march_count(m) * sizeof *left);
     for (int h = 0; h < m->supports->held_count; h++)
         supports_set(m->supports, h, left, -l->pull[h]);
@@ -442,6 +447,8 @@ static void weigh(struct leapfrog *l, double share)
             left[3 * (size_t)m->supports->frame[n].node + i] -=
                 l->along[n] * m->supports->frame[n].axes[i];
     reaction_add(m->supports, left, m->x, share, m->reaction);
+out:
+    return st;
 }
 
 /* Adds what they do against inertia and damping in a frame. */
@@ -486,7 +493,7 @@ static enum status run(struct leapfrog *l, double t, struct counters *counters)
     bool moving = m->supports->moving;
 
     march_forget(m);
-    weigh(l, 0.5 / l->substeps);
+    TRY(weigh(l, 0.5 / l->substeps));
     for (int n = 0; n < l->substeps; n++) {
         if (n)
             kick(l, (1 - half) / (1 + half), dt / (1 + half));
@@ -503,7 +510,7 @@ static enum status run(struct leapfrog *l, double t, struct counters *counters)
         add_work(l);
         TRY(accelerate(l, t + (n + 1) * dt, dt / 2, counters));
         add_work(l);
-        weigh(l, (n < l->substeps - 1 ? 1 : 0.5) / l->substeps);
+        TRY(weigh(l, (n < l->substeps - 1 ? 1 : 0.5) / l->substeps));
         counters->substeps++;
     }
     kick(l, 1 / (1 + half), dt / 2 / (1 + half));

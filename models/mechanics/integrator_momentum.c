@@ -189,9 +189,8 @@ static enum status substep(struct march *m, double t, double dt, struct counters
     };
 
     memcpy(x_old, m->x, count * sizeof *x_old);
-    for (size_t k = 0; k < count; k++) {
+    for (size_t k = 0; k < count; k++)
         hat[k] = x_old[k] + m->v[k] / (end * dt) / mass;
-    }
     if (m->V)
         TRY(large_body_tangent(&m->body, &equation.path, x_old, (struct large_foresight){0},
                                m->V));

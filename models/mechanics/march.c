@@ -329,29 +329,26 @@ out:
 
 enum status march_step(void *state, struct counters *counters)
 {
-    enum status st;
+    enum status st = STATUS_OK;
     struct march *m = state;
 
     march_forget(m);
     m->weighed = m->weighs;
     m->weighs = false;
-    for (int n = 0; n < m->substeps; n++) {
-        st = change_hands(m, m->time + n * m->dt);
-        if (st != STATUS_OK)
-            return st;
+    for (int n = 0; n < m->substeps && st == STATUS_OK; n++) {
+        TRY(change_hands(m, m->time + n * m->dt));
         st = m->integrator->step(m, m->time + n * m->dt, counters);
         system_work(&m->system, counters);
-        if (st != STATUS_OK) {
-            m->weighed = false;
-            return st;
-        }
     }
+    TRY(st);
     damp(m);
     if (m->integrator->end)
         m->integrator->end(m, counters);
     m->time += m->scene->step;
     counters->steps++;
-    return STATUS_OK;
+out:
+    m->weighed &= st == STATUS_OK;
+    return st;
 }
 
 void march_contact(const void *state, struct model_contact *contact)

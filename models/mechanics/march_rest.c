@@ -161,13 +161,13 @@ out:
     return st;
 }
 
-/* Increments of the load or of the paths' time: the first; the smallest before giving up,
- * also along a path; the largest along a path. */
+/* The load or the paths' time grows by increments: the first; the smallest before giving
+ * up, also along a path; the largest along a path. */
 static const double FIRST_INCREMENT = 1.0 / 8, SMALLEST_INCREMENT = 1e-7,
                     SMALLEST_MOVE = 1e-6, LARGEST_MOVE = 1.0 / 16;
 enum { MOST_INCREMENTS = 2000 };
 
-/* The quantity that grows from 0 to 1: the load, then the time of the supports' paths. */
+/* This grows from 0 to 1: the load, then the time of the supports' paths. */
 enum stage { LOADING, MOVING };
 
 static void begin(struct march *m)
@@ -236,7 +236,7 @@ out:
     return st;
 }
 
-/* The state of a stage. */
+/* This is the state of a stage. */
 struct progress {
     double part, increment, last_increment;
     bool stable; /* MOVING: the last shape is */

@@ -3,20 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "models/vector.h"
-
-/* Adds `times` a moment, and, unless it is that of a couple, a force. */
-static void add(const double at[3], const double force[3], bool couple, double times,
-                double sum[6])
-{
-    double moment[3];
-
-    vector_cross(at, force, moment);
-    for (int i = 0; i < 3; i++) {
-        sum[i] += couple ? 0 : times * force[i];
-        sum[3 + i] += times * moment[i];
-    }
-}
+#include "models/contact/contact.h"
 
 void reaction_add(const struct supports *s, const double *left, const double *at,
                   double share, double (*support)[6])
@@ -25,12 +12,14 @@ void reaction_add(const struct supports *s, const double *left, const double *at
         const int u = s->held[h], owner = s->owner[h];
         const size_t first = 3 * (size_t)(u / 3);
         const bool framed = s->frame_count && s->framed[u / 3] >= 0;
-        double force[3] = {0};
+        double force[3] = {0}, sum[6] = {0};
         if (owner == SUPPORTS_NOBODY || (framed && u % 3 != 1))
             continue;
         for (int i = 0; i < 3; i++)
             force[i] = framed || i == u % 3 ? left[first + i] : 0;
-        add(at + first, force, owner < 0, -share, support[owner < 0 ? -1 - owner : owner]);
+        contact_force_at(at + first, force, -share, sum);
+        for (int i = owner < 0 ? 3 : 0; i < 6; i++)
+            support[owner < 0 ? -1 - owner : owner][i] += sum[i];
     }
 }
 
@@ -54,7 +43,7 @@ void reaction_clamps(const struct scene *scene, int nodes, const double *slope,
     double sum[6] = {0};
 
     for (size_t a = 0; a < (size_t)nodes; a++)
-        add(at + 3 * a, slope + 3 * a, true, -share, sum);
+        contact_force_at(at + 3 * a, slope + 3 * a, -share, sum);
     for (int n = 0; n < scene->support_count; n++)
         for (int i = 3; i < 6; i++)
             support[n][i] = scene->support_count == 1 ? support[n][i] + sum[i] : NAN;

@@ -16,6 +16,8 @@
 #define BALANCE 1e-9
 /* Where a support turns, velocities beside its clamp follow the stretch at a step's end. */
 #define TURNED 5e-4
+/* Loads act at the mean place of a frame, which is not that of its explicit steps. */
+#define MEANS 5e-5
 /* The damping of a clamp of springs resists what is free alone, against the ground. */
 #define CLAMPED 1e-3
 /* Newton's iteration ends at changes of this [m]. */
@@ -44,6 +46,13 @@ static const char still[] = "supports=[{at: {u: 0}, fix: xyz}]",
                   turning[] =
                       "supports=[{at: {u: 0}, fix: xyz}, {at: {u: 1}, fix: xyz, turn: "
                       "{axis: [1,0.2,0], about: [0.1,0.2,0.3], angles: [[0,0],[1,300]]}}]",
+                  grips[] =
+                      "supports=[{at: {u: 0}, fix: xyz}, {at: {u: 1}, fix: xyz, until: "
+                      "0.05}]",
+                  beside[] =
+                      "supports=[{at: {u: 1, v: 0}, fix: xyz, until: 0.05}, {at: {u: 0}, "
+                      "fix: xyz, turn: {axis: [0,1,0.2], about: [0.1,0.2,0.3], angles: "
+                      "[[0,0],[1,100]]}}]",
                   empty[] = "obstacles=[]",
                   stiff[] = "damping={kind: rayleigh, alpha: 0, beta: 0.001}";
 /* This comes to the held edge, within reach of its law. */
@@ -229,6 +238,10 @@ static const struct motion_row motions[] = {
     {"shell", {turning, LEAPS}, 3, BALANCE},
     {"shell", {turning}, 3, TURNED},
     {"shell", {still, LEAPS, empty}, 3, BALANCE},
+    {"shell", {grips}, 6, BALANCE},
+    {"shell", {grips, LEAPS}, 3, BALANCE},
+    {"shell", {beside, LEAPS}, 3, TURNED},
+    {"triangles", {still, LEAPS, KEY "bending=hinge", empty}, 6, MEANS},
     {"iga", {still, LARGE, LEAPS, empty}, 3, BALANCE},
     {"shell", {moving, LINEAR, empty}, 3, BALANCE},
     {"hex", {moving, LINEAR, empty}, 3, BALANCE},

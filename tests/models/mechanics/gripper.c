@@ -270,6 +270,24 @@ static void check_clamp(void)
     run_close(&run);
 }
 
+/* A gripper that held a clamp's edge and what is beside it from the start leaves the clamp
+ * as it is. */
+static void check_left(void)
+{
+    const double near[2][3] = {{0, 0.5, 0.5}, {1e-6, 0.5, 0.5}};
+    struct run run = {0};
+    double x[2][3], way[3];
+
+    OPENED_RUN(&run, "drag_fall", "shell", SHEET, "gravity=[0,0,-9.81]",
+               "supports=[{at: {u: [0, 0.6]}, fix: xyz, until: 0.05}, {at: {u: 0}, fix: "
+               "xyz}]");
+    opened_steps(&run, 30);
+    run.model->probe(run.state, 2, near[0], x[0]);
+    vector_between(x[0], x[1], way);
+    CHECK_NEAR(way[2] / way[0], 0, 1e-4);
+    run_close(&run);
+}
+
 /* Takes hold of what a clamp at rest carries along, which is free along the sheet alone,
  * and of what is farther off. */
 static void check_carried(void)
@@ -340,6 +358,7 @@ int main(void)
     }
     check_clamp();
     check_carried();
+    check_left();
     check_rest();
     return check_result();
 }

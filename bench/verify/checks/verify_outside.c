@@ -94,8 +94,11 @@ static const struct verify_subject outlined[] = {
     {"mass_spring", 0, "implicit Euler damps", {40}, {40}},
     {"vbd", 0, "implicit Euler damps", {40}, {40}},
     {NULL}};
+static const struct verify_subject hanging[] = {
+    {"triangles", REST, {40}, {40}, 0, "mid-edge", {"discretization.bending=midedge"}},
+    {NULL}};
 static const struct verify_field rest_field = {resting}, motion_field = {moving},
-                                 outline_field = {outlined};
+                                 outline_field = {outlined}, hanging_field = {hanging};
 
 enum { MOST_POINTS = 11 * 11, MOTION_TIMES = 3, DENIM = 3, OUTLINES = 2 };
 static const char *const rest_tables[DENIM] = {"calculix_denim_square_rest",
@@ -106,6 +109,8 @@ static const char *const motion_tables[DENIM] = {"calculix_denim_square_motion",
                                                  "calculix_denim_flag_motion"};
 static const char *const outline_tables[OUTLINES] = {"calculix_trapezoid_motion",
                                                      "calculix_hole_motion"};
+static const char *const hanging_tables[OUTLINES] = {"calculix_trapezoid_rest",
+                                                     "calculix_hole_rest"};
 
 /* Returns how many points a table has: the rows of its first time. */
 static int points_of(const struct reference *table)
@@ -162,13 +167,23 @@ static void judge_field(struct verify_trial *t, int time, double length, const d
         verify_row_judge_error(t->row, error, reference_number(table, first, "bar"));
 }
 
-static void add_resting(struct verify_subject *s)
+static void judge_rest(struct verify_subject *s, const char *table)
 {
     double uvw[MOST_POINTS][3], xyz[MOST_POINTS][3];
-    struct verify_trial t = open_field(s, rest_tables[s->at], uvw);
+    struct verify_trial t = open_field(s, table, uvw);
 
     if (t.row && verify_trial_equilibrium(&t, points_of(s->sheet->table), uvw[0], xyz[0]))
         judge_field(&t, 0, verify_note(s, "length"), xyz[0]);
+}
+
+static void add_resting(struct verify_subject *s)
+{
+    judge_rest(s, rest_tables[s->at]);
+}
+
+static void add_hanging(struct verify_subject *s)
+{
+    judge_rest(s, hanging_tables[s->at]);
 }
 
 static void judge_motion(struct verify_subject *s, const char *table)
@@ -251,4 +266,5 @@ const struct verify_check verify_outside = {
               {&rest_field, add_resting, DENIM, .every = DENIM},
               {&motion_field, add_moving, DENIM, .every = DENIM},
               {&outline_field, add_outline, OUTLINES, .every = OUTLINES},
+              {&hanging_field, add_hanging, OUTLINES, .every = OUTLINES},
               {&plate_field, add_plate, 2, .every = 2}}};

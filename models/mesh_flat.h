@@ -35,6 +35,12 @@ static inline const double *mesh_flat_place(const struct mesh_flat *flat, int tr
                         : flat->at[flat->triangle[triangle][corner]];
 }
 
+/* Returns which corner of a triangle a node is. */
+static inline int mesh_flat_corner(const int triangle[3], int node)
+{
+    return triangle[0] == node ? 0 : triangle[1] == node ? 1 : 2;
+}
+
 /* Adds a start in space, and corners' places, to those of the plane. */
 enum status mesh_flat_raise(struct mesh_flat *flat);
 
@@ -42,11 +48,16 @@ enum status mesh_flat_raise(struct mesh_flat *flat);
 enum status mesh_flat_make(struct mesh_flat *flat, int nodes, int triangles);
 void mesh_flat_clear(struct mesh_flat *flat);
 
-/* Finds the edges: (*edge)[*count], and (*side)[triangles][3], the edges across from a
- * triangle's points; both owned by the caller. STATUS_INPUT where three triangles meet at
- * an edge: *count is then its first triangle. */
+/* Finds the edges: (*edge)[*count], and, unless NULL, (*side)[triangles][3], the edges
+ * across from a triangle's points; both are owned by the caller. STATUS_INPUT where three
+ * triangles meet at an edge: *count is then the third of them. */
 enum status mesh_flat_edges(const struct mesh_flat *flat, struct mesh_edge **edge,
                             int *count, int (**side)[3]);
+
+/* Fills next[nodes] with the node that follows each along the rim, which has the sheet to
+ * its left; -1 inside. Returns a triangle at a node that the rim passes twice, or -1. */
+int mesh_flat_rim(const struct mesh_flat *flat, const struct mesh_edge *edge, int edges,
+                  int *next);
 
 /* Fills piece[nodes] with the least node of the piece that each is in. */
 void mesh_flat_pieces(const struct mesh_flat *flat, int *piece);

@@ -52,23 +52,6 @@ enum status pattern_add_line(struct pattern *p, int count, const double (*at)[2]
 /* --- lines around triangles -------------------------------------------------------------
  */
 
-/* Fills next[node], along the rim with the sheet to its left, -1 inside. Returns the
- * triangle at a node that the rim passes twice, or -1. */
-static int follow_rim(const struct mesh_flat *mesh, const struct mesh_edge *edge, int edges,
-                      int *next)
-{
-    for (int a = 0; a < mesh->nodes; a++)
-        next[a] = -1;
-    for (const struct mesh_edge *e = edge; e < edge + edges; e++) {
-        if (e->node[3] >= 0)
-            continue;
-        if (next[e->node[0]] >= 0)
-            return e->triangle[0];
-        next[e->node[0]] = e->node[1];
-    }
-    return -1;
-}
-
 static enum status add_lines(struct pattern *p, int *next, double (*at)[2])
 {
     enum status st = STATUS_OK;
@@ -89,14 +72,14 @@ static enum status add_lines(struct pattern *p, int *next, double (*at)[2])
 enum status pattern_add_mesh(struct pattern *p, struct mesh_flat *mesh, int *triangle)
 {
     struct mesh_edge *edge = NULL;
-    int edges, (*side)[3] = NULL;
+    int edges;
     int *next = malloc((size_t)mesh->nodes * sizeof *next);
     double(*at)[2] = malloc((size_t)mesh->nodes * sizeof *at);
     enum status st = next && at ? STATUS_OK : STATUS_MEMORY;
 
     TRY(st);
-    TRY(mesh_flat_edges(mesh, &edge, &edges, &side));
-    *triangle = follow_rim(mesh, edge, edges, next);
+    TRY(mesh_flat_edges(mesh, &edge, &edges, NULL));
+    *triangle = mesh_flat_rim(mesh, edge, edges, next);
     TRY(*triangle < 0 ? STATUS_OK : STATUS_INPUT);
     HAND_OVER(&p->mesh, *mesh);
     TRY(add_lines(p, next, at));
@@ -104,7 +87,6 @@ out:
     free(next);
     free(at);
     free(edge);
-    free(side);
     return st;
 }
 

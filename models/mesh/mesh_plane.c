@@ -55,11 +55,8 @@ struct mesh_plane mesh_plane_of(const struct mesh *mesh, int triangle)
 static const double *end_in(const struct mesh *mesh, int edge, int beside, int end)
 {
     const int t = mesh->edge[edge].triangle[beside], *v = mesh->flat.triangle[t];
-    int c = 0;
 
-    while (v[c] != mesh->edge[edge].node[end])
-        c++;
-    return at(mesh, t, c);
+    return at(mesh, t, mesh_flat_corner(v, mesh->edge[edge].node[end]));
 }
 
 bool mesh_edge_ends(const struct mesh *mesh, int edge)

@@ -148,6 +148,13 @@ static enum status read_seam(const struct yaml_tree *seam, int *count, int (*pai
                 pair[n][s] = v - 1;
         }
     }
+    bool apart = !pair;
+    for (int n = *count; pair && n < *count + run[0]->count; n++)
+        apart |= pair[n][0] != pair[n][1];
+    if (!apart)
+        return yaml_tree_refuse(seam, why,
+                                "a seam joins a run of points to itself; two runs that "
+                                "differ would be right");
     *count += run[0]->count;
 out:
     return st;
@@ -202,23 +209,30 @@ out:
 /* --- supports by vertices and groups ----------------------------------------------------
  */
 
-/* Marks the `v` that a list names: by its numbers, or as corners of a group. */
-static enum status mark(const struct yaml_tree *node, const struct pattern *p, int count,
-                        bool *marked, struct message *why)
+/* Returns the number of a place of the plane, or of what is sewn together there. */
+static int node_of(const struct pattern *p, int place)
+{
+    return p->node ? p->node[place] : place;
+}
+
+/* Marks nodes that a list names by the numbers of their `v`, or that are of a group. */
+static enum status mark(const struct yaml_tree *node, const struct pattern *p, bool *marked,
+                        struct message *why)
 {
     enum status st = STATUS_OK;
     int group = 0, v;
 
-    if (node->kind == YAML_TREE_LIST) {
-        for (const struct yaml_tree *at = node->first; at; at = at->next) {
-            TRY(schema_value(&NUMBER, at, &v, why));
-            if (v > count)
-                TRY(yaml_tree_refuse(at, why, "the sheet's faces name `v` up to %d",
-                                     count));
-            marked[v - 1] = true;
-        }
-        return st;
+    for (const struct yaml_tree *at = node->first; at; at = at->next) {
+        bool named = false;
+        TRY(schema_value(&NUMBER, at, &v, why));
+        for (int n = 0; n < p->mesh.nodes; n++)
+            if (p->vertex[n] == v - 1)
+                named = marked[node_of(p, n)] = true;
+        if (!named)
+            return yaml_tree_refuse(at, why, "no face of the sheet's mesh names `v` %d", v);
     }
+    if (node->kind == YAML_TREE_LIST)
+        return st;
     while (group < p->groups && strcmp(p->group[group], node->text))
         group++;
     if (group == p->groups)
@@ -226,7 +240,7 @@ static enum status mark(const struct yaml_tree *node, const struct pattern *p, i
                                 yaml_tree_quote(node->text).text);
     for (int n = 0; n < 3 * p->mesh.triangles; n++)
         if (p->in[n / 3] == group)
-            marked[p->vertex[p->mesh.triangle[n / 3][n % 3]]] = true;
+            marked[node_of(p, p->mesh.triangle[n / 3][n % 3])] = true;
 out:
     return st;
 }
@@ -239,10 +253,10 @@ static void add_part(const struct pattern *p, int triangle, const bool *marked,
     const int *v = p->mesh.triangle[triangle];
     int first = 0;
 
-    while (first < 3 && !marked[p->vertex[v[first]]])
+    while (first < 3 && !marked[node_of(p, v[first])])
         first++;
     for (int k = 0; first < 3 && k < 3; k++) {
-        const double *at = p->mesh.at[v[marked[p->vertex[v[k]]] ? k : first]];
+        const double *at = p->mesh.at[v[marked[node_of(p, v[k])] ? k : first]];
         for (int i = 0; i < 2; i++) {
             const double place = at[i] / p->size[i];
             s->part[s->part_count][k][i] = place;
@@ -256,19 +270,16 @@ static enum status place_support(const struct yaml_tree *node, const struct patt
                                  struct scene_support *s, struct message *why)
 {
     enum status st;
-    int count = 0;
+    bool *marked = calloc((size_t)p->mesh.nodes, sizeof *marked);
 
-    for (int n = 0; n < p->mesh.nodes; n++)
-        count = p->vertex[n] >= count ? p->vertex[n] + 1 : count;
-    bool *marked = calloc((size_t)count + 1, sizeof *marked);
     s->part = malloc((size_t)p->mesh.triangles * sizeof *s->part);
     TRY(marked && s->part ? STATUS_OK : STATUS_MEMORY);
-    TRY(mark(node, p, count, marked, why));
+    TRY(mark(node, p, marked, why));
     s->lo[0] = s->lo[1] = 1, s->hi[0] = s->hi[1] = 0;
     for (int t = 0; t < p->mesh.triangles; t++)
         add_part(p, t, marked, s);
     if (!s->part_count)
-        st = yaml_tree_refuse(node, why, "no face names these points");
+        st = yaml_tree_refuse(node, why, "no face is in this group");
 out:
     free(marked);
     return st;

@@ -1,6 +1,5 @@
 #include "models/mesh_flat.h"
 
-#include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -186,6 +185,20 @@ double mesh_flat_random(uint64_t *state)
 double mesh_flat_area2(const struct mesh_flat *flat, int a, int b, int c)
 {
     return mesh_flat_left(flat->at[a], flat->at[b], flat->at[c]);
+}
+
+double mesh_flat_weigh(const struct mesh_flat *flat, int triangle, const double p[2],
+                       double weight[3])
+{
+    const double *a = mesh_flat_place(flat, triangle, 0),
+                 *b = mesh_flat_place(flat, triangle, 1),
+                 *c = mesh_flat_place(flat, triangle, 2);
+    const double whole = mesh_flat_left(a, b, c);
+
+    weight[0] = mesh_flat_left(p, b, c) / whole;
+    weight[1] = mesh_flat_left(a, p, c) / whole;
+    weight[2] = 1 - weight[0] - weight[1];
+    return fmin(weight[0], fmin(weight[1], weight[2]));
 }
 
 /* Returns minus the cosine-like measure that is positive where the angles across from an

@@ -7,6 +7,7 @@
 #ifndef MESH_FLAT_H
 #define MESH_FLAT_H
 
+#include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -67,6 +68,22 @@ void mesh_flat_pieces(const struct mesh_flat *flat, int *piece);
 static inline double mesh_flat_left(const double a[2], const double b[2], const double c[2])
 {
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+/* Computes the weights of a triangle's corners at p in the plane; returns the least. */
+double mesh_flat_weigh(const struct mesh_flat *flat, int triangle, const double p[2],
+                       double weight[3]);
+
+/* Returns the square of the distance of p from the segment from a to b. */
+static inline double mesh_flat_off2(const double a[2], const double b[2], const double p[2])
+{
+    const double d[2] = {b[0] - a[0], b[1] - a[1]}, e[2] = {p[0] - a[0], p[1] - a[1]};
+    const double square = d[0] * d[0] + d[1] * d[1];
+    const double along = square > 0 ? (e[0] * d[0] + e[1] * d[1]) / square : 0;
+    const double s = fmin(fmax(along, 0), 1);
+    const double off[2] = {e[0] - s * d[0], e[1] - s * d[1]};
+
+    return off[0] * off[0] + off[1] * off[1];
 }
 
 /* Returns twice the area of three nodes, positive if counter-clockwise. */

@@ -9,6 +9,9 @@
 /* So near a side, in shares of the box's diagonal, a place is on it. */
 static const double NEAR = 1e-12;
 
+/* The round-off of weights in a triangle, and of places in cells of the grid. */
+static const double ROUND_OFF = 1e-9;
+
 struct pattern *pattern_make(void)
 {
     return calloc(1, sizeof(struct pattern));
@@ -164,18 +167,20 @@ static bool any_cross(const struct pattern *p, int *line, int *point)
     return false;
 }
 
+/* Tells whether the way from a place along u crosses the side from a to b. */
+static bool passes(const double at[2], const double a[2], const double b[2])
+{
+    return (a[1] > at[1]) != (b[1] > at[1]) &&
+           at[0] - a[0] < (at[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]);
+}
+
 /* Tells whether a place is inside one line, which it is not on. */
 static bool inside(const struct pattern *p, int line, const double at[2])
 {
     bool in = false;
 
-    for (int n = p->line[line]; n < p->line[line + 1]; n++) {
-        const double *a = p->at[n], *b = p->at[after(p, line, n)];
-        if ((a[1] > at[1]) == (b[1] > at[1]))
-            continue;
-        if (at[0] < a[0] + (at[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]))
-            in = !in;
-    }
+    for (int n = p->line[line]; n < p->line[line + 1]; n++)
+        in ^= passes(at, p->at[n], p->at[after(p, line, n)]);
     return in;
 }
 
@@ -239,18 +244,15 @@ static void move_to_zero(struct pattern *p, double size[2])
  * reaches. */
 static bool has(const struct pattern *p, int count, const int *side, double x, double y)
 {
+    const double at[2] = {x, y};
     bool in = false;
 
     for (int n = 0; n < count; n++) {
         const int m = side ? side[n] : n;
         const double *a = p->at[m], *b = p->at[p->next[m]];
-        const double d[2] = {b[0] - a[0], b[1] - a[1]}, e[2] = {x - a[0], y - a[1]};
-        const double along = (e[0] * d[0] + e[1] * d[1]) / (d[0] * d[0] + d[1] * d[1]);
-        const double s = fmin(fmax(along, 0), 1);
-        const double off[2] = {e[0] - s * d[0], e[1] - s * d[1]};
-        if (off[0] * off[0] + off[1] * off[1] <= p->near * p->near)
+        if (mesh_flat_off2(a, b, at) <= p->near * p->near)
             return true;
-        in ^= (a[1] > y) != (b[1] > y) && e[0] < e[1] / d[1] * d[0];
+        in ^= passes(at, a, b);
     }
     return in;
 }
@@ -284,34 +286,6 @@ static enum status mark(struct pattern *p, const double size[2])
 
 /* --- panels in space --------------------------------------------------------------------
  */
-
-/* Computes the weights of a triangle's points at x, y; returns the least. */
-static double weigh(const struct pattern *p, int triangle, double x, double y,
-                    double weight[3])
-{
-    const int *v = p->mesh.triangle[triangle];
-    const double(*at)[2] = (const double(*)[2])p->mesh.at, here[2] = {x, y};
-    const double whole = mesh_flat_left(at[v[0]], at[v[1]], at[v[2]]);
-
-    weight[0] = mesh_flat_left(here, at[v[1]], at[v[2]]) / whole;
-    weight[1] = mesh_flat_left(at[v[0]], here, at[v[2]]) / whole;
-    weight[2] = 1 - weight[0] - weight[1];
-    return fmin(weight[0], fmin(weight[1], weight[2]));
-}
-
-/* Returns the triangle that a place is in, or most nearly. */
-static int find(const struct pattern *p, double x, double y)
-{
-    double best = -INFINITY, weight[3];
-    int found = 0;
-
-    for (int t = 0; t < p->mesh.triangles; t++) {
-        const double least = weigh(p, t, x, y, weight);
-        if (least > best)
-            best = least, found = t;
-    }
-    return found;
-}
 
 /* Takes the points off the material grid that lie in a cell with one of another panel. */
 static enum status part_panels(struct pattern *p)
@@ -355,13 +329,15 @@ static enum status find_nearest(struct pattern *p, const double size[2])
             const int *v = p->mesh.triangle[t];
             const double a = p->mesh.at[v[0]][i] * scale, b = p->mesh.at[v[1]][i] * scale,
                          c = p->mesh.at[v[2]][i] * scale;
-            low[i] = (int)ceil(fmin(a, fmin(b, c)) - 1e-9);
-            high[i] = (int)floor(fmax(a, fmax(b, c)) + 1e-9);
+            low[i] = (int)ceil(fmin(a, fmin(b, c)) - ROUND_OFF);
+            high[i] = (int)floor(fmax(a, fmax(b, c)) + ROUND_OFF);
         }
         for (int j = low[1]; j <= high[1]; j++)
             for (int i = low[0]; i <= high[0]; i++)
-                if (weigh(p, t, i / (GRID_U - 1.) * size[0], j / (GRID_V - 1.) * size[1],
-                          weight) > -1e-9)
+                if (mesh_flat_weigh(&p->mesh, t,
+                                    (double[]){i / (GRID_U - 1.) * size[0],
+                                               j / (GRID_V - 1.) * size[1]},
+                                    weight) > -ROUND_OFF)
                     p->nearest[j * GRID_U + i] = t;
     }
     return part_panels(p);
@@ -372,12 +348,18 @@ void pattern_begin(const struct pattern *p, double x, double y, double begin[3],
 {
     const int i = (int)fmin(fmax(round(x / p->size[0] * (GRID_U - 1)), 0), GRID_U - 1),
               j = (int)fmin(fmax(round(y / p->size[1] * (GRID_V - 1)), 0), GRID_V - 1);
-    double weight[3], sum = 0, e[2][3];
+    const double at[2] = {x, y};
+    double weight[3], sum = 0, e[2][3], best = -INFINITY;
     int t = p->nearest[j * GRID_U + i];
 
-    if (t < 0 || weigh(p, t, x, y, weight) < -1e-9) {
-        t = find(p, x, y);
-        weigh(p, t, x, y, weight);
+    if (t < 0 || mesh_flat_weigh(&p->mesh, t, at, weight) < -ROUND_OFF) {
+        t = 0;
+        for (int s = 0; s < p->mesh.triangles; s++) {
+            const double least = mesh_flat_weigh(&p->mesh, s, at, weight);
+            if (least > best)
+                best = least, t = s;
+        }
+        mesh_flat_weigh(&p->mesh, t, at, weight);
     }
     for (int k = 0; k < 3; k++)
         sum += weight[k] = fmax(weight[k], 0);
@@ -409,10 +391,10 @@ enum status pattern_sewn(const struct pattern *p, struct mesh_flat *flat)
         memcpy(flat->start, p->start, (size_t)nodes * sizeof *flat->start);
     }
     for (int a = own->nodes - 1; a >= 0; a--) /* of several places the first */
-        memcpy(flat->at[p->node ? p->node[a] : a], own->at[a], sizeof *own->at);
+        memcpy(flat->at[pattern_node(p, a)], own->at[a], sizeof *own->at);
     for (int n = 0; n < 3 * own->triangles; n++) {
         const int a = own->triangle[n / 3][n % 3];
-        flat->triangle[n / 3][n % 3] = p->node ? p->node[a] : a;
+        flat->triangle[n / 3][n % 3] = pattern_node(p, a);
         if (p->node)
             memcpy(flat->corner[n / 3][n % 3], own->at[a], sizeof *own->at);
     }

@@ -50,6 +50,12 @@ static inline bool pattern_starts_in_space(const struct pattern *p)
     return p && p->start;
 }
 
+/* Returns the node at one of the mesh's places. */
+static inline int pattern_node(const struct pattern *p, int place)
+{
+    return p->node ? p->node[place] : place;
+}
+
 /* Adds a closed line through at[count]; its last point is not the first again. */
 enum status pattern_add_line(struct pattern *p, int count, const double (*at)[2]);
 

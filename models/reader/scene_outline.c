@@ -126,11 +126,12 @@ static const struct schema_key NUMBER = {.key = "a point of the mesh",
                                          .high = INT_MAX,
                                          .want = "the number of a `v`"};
 
-/* Adds the pairs of a seam, numbers from 0, to pair[*count][2]; NULL: counts them. */
+/* Adds the pairs of a seam, numbers from 0, to pair[*count][2]. */
 static enum status read_seam(const struct yaml_tree *seam, int *count, int (*pair)[2],
                              struct message *why)
 {
     const struct yaml_tree *run[2] = {seam->first, seam->first ? seam->first->next : NULL};
+    bool apart = false;
     enum status st = STATUS_OK;
 
     if (seam->kind != YAML_TREE_LIST || seam->count != 2 ||
@@ -139,23 +140,18 @@ static enum status read_seam(const struct yaml_tree *seam, int *count, int (*pai
         return yaml_tree_refuse(seam, why,
                                 "a seam has two runs of as many points, at least two, as "
                                 "in [[1, 2, 3], [7, 8, 9]]");
-    for (int s = 0; s < 2; s++) {
-        int n = *count;
-        for (const struct yaml_tree *at = run[s]->first; at; at = at->next, n++) {
-            int v;
-            TRY(schema_value(&NUMBER, at, &v, why));
-            if (pair)
-                pair[n][s] = v - 1;
-        }
+    for (const struct yaml_tree *a = run[0]->first, *b = run[1]->first; a;
+         a = a->next, b = b->next) {
+        int *v = pair[(*count)++];
+        TRY(schema_value(&NUMBER, a, &v[0], why));
+        TRY(schema_value(&NUMBER, b, &v[1], why));
+        apart |= v[0] != v[1];
+        v[0]--, v[1]--;
     }
-    bool apart = !pair;
-    for (int n = *count; pair && n < *count + run[0]->count; n++)
-        apart |= pair[n][0] != pair[n][1];
     if (!apart)
-        return yaml_tree_refuse(seam, why,
-                                "a seam joins a run of points to itself; two runs that "
-                                "differ would be right");
-    *count += run[0]->count;
+        st = yaml_tree_refuse(seam, why,
+                              "a seam joins a run of points to itself; two runs that "
+                              "differ would be right");
 out:
     return st;
 }
@@ -165,16 +161,18 @@ static enum status read_seams(const struct yaml_tree *seams, int *count, int (**
                               struct message *why)
 {
     enum status st = STATUS_OK;
+    int most = 1;
 
-    if (seams && seams->kind != YAML_TREE_LIST)
+    if (!seams)
+        return st;
+    if (seams->kind != YAML_TREE_LIST)
         return yaml_tree_refuse(seams, why, "seams must be a list of seams, each two runs");
-    for (int fill = 0; seams && fill < 2; fill++) {
-        if (fill && !(*pair = malloc((size_t)(*count + 1) * sizeof **pair)))
-            return STATUS_MEMORY;
-        *count = 0;
-        for (const struct yaml_tree *seam = seams->first; seam; seam = seam->next)
-            TRY(read_seam(seam, count, *pair, why));
-    }
+    for (const struct yaml_tree *seam = seams->first; seam; seam = seam->next)
+        most += seam->first ? seam->first->count : 0;
+    *pair = malloc((size_t)most * sizeof **pair);
+    TRY(*pair ? STATUS_OK : STATUS_MEMORY);
+    for (const struct yaml_tree *seam = seams->first; seam; seam = seam->next)
+        TRY(read_seam(seam, count, *pair, why));
 out:
     return st;
 }
@@ -209,12 +207,6 @@ out:
 /* --- supports by vertices and groups ----------------------------------------------------
  */
 
-/* Returns the number of a place of the plane, or of what is sewn together there. */
-static int node_of(const struct pattern *p, int place)
-{
-    return p->node ? p->node[place] : place;
-}
-
 /* Marks nodes that a list names by the numbers of their `v`, or that are of a group. */
 static enum status mark(const struct yaml_tree *node, const struct pattern *p, bool *marked,
                         struct message *why)
@@ -227,7 +219,7 @@ static enum status mark(const struct yaml_tree *node, const struct pattern *p, b
         TRY(schema_value(&NUMBER, at, &v, why));
         for (int n = 0; n < p->mesh.nodes; n++)
             if (p->vertex[n] == v - 1)
-                named = marked[node_of(p, n)] = true;
+                named = marked[pattern_node(p, n)] = true;
         if (!named)
             return yaml_tree_refuse(at, why, "no face of the sheet's mesh names `v` %d", v);
     }
@@ -240,7 +232,7 @@ static enum status mark(const struct yaml_tree *node, const struct pattern *p, b
                                 yaml_tree_quote(node->text).text);
     for (int n = 0; n < 3 * p->mesh.triangles; n++)
         if (p->in[n / 3] == group)
-            marked[node_of(p, p->mesh.triangle[n / 3][n % 3])] = true;
+            marked[pattern_node(p, p->mesh.triangle[n / 3][n % 3])] = true;
 out:
     return st;
 }
@@ -253,10 +245,10 @@ static void add_part(const struct pattern *p, int triangle, const bool *marked,
     const int *v = p->mesh.triangle[triangle];
     int first = 0;
 
-    while (first < 3 && !marked[node_of(p, v[first])])
+    while (first < 3 && !marked[pattern_node(p, v[first])])
         first++;
     for (int k = 0; first < 3 && k < 3; k++) {
-        const double *at = p->mesh.at[v[marked[node_of(p, v[k])] ? k : first]];
+        const double *at = p->mesh.at[v[marked[pattern_node(p, v[k])] ? k : first]];
         for (int i = 0; i < 2; i++) {
             const double place = at[i] / p->size[i];
             s->part[s->part_count][k][i] = place;

@@ -1,8 +1,8 @@
 /* mesh_flat.h - triangles in the plane of a sheet, before they are a mesh: made from a
  * grid, turned, refined.
  *
- * Of a sheet that is sewn together a node on a seam has a place in each panel: triangles
- * have their corners' places then, and a node that of its first triangle.
+ * Where a sheet is sewn together, a node on a seam lies in several panels: each triangle
+ * then keeps the places of its corners, and the node has its place in its first triangle.
  */
 #ifndef MESH_FLAT_H
 #define MESH_FLAT_H
@@ -18,12 +18,12 @@ struct mesh_flat {
     double (*at)[2];        /* [nodes] along u and v                              [m]   */
     int (*triangle)[3];     /* [triangles] counter-clockwise; both owned                */
     double (*corner)[3][2]; /* [triangles] places of corners; NULL: those of nodes  owned */
-    double (*start)[3]; /* [nodes] where they begin: along u, v, and the normal; NULL: in
-                           the plane                                        [m]   owned */
+    double (*start)[3];     /* [nodes] where they begin along u, v and the normal; NULL: in
+                               the plane                                        [m]   owned */
 };
 
-/* An edge: its ends, and the points across from it in its first triangle, which has the
- * ends in this order, and in its second; -1 where it is on the rim. */
+/* An edge has two ends, and two points across from it: in its first triangle, which has
+ * the ends in this order, and in its second; -1 where it is on the rim. */
 struct mesh_edge {
     int node[4], triangle[2];
 };
@@ -42,7 +42,7 @@ static inline int mesh_flat_corner(const int triangle[3], int node)
     return triangle[0] == node ? 0 : triangle[1] == node ? 1 : 2;
 }
 
-/* Adds a start in space, and corners' places, to those of the plane. */
+/* Adds room for a start in space and for corners' places; both are 0 still. */
 enum status mesh_flat_raise(struct mesh_flat *flat);
 
 /* Makes room for so many nodes and triangles, of which there are none yet. */

@@ -38,15 +38,18 @@ void pattern_free(struct pattern *p)
 
 enum status pattern_add_line(struct pattern *p, int count, const double (*at)[2])
 {
-    double(*all)[2] = realloc(p->at, (size_t)(p->points + count + 1) * sizeof *all);
-    if (all)
-        p->at = all;
+    const size_t points = (size_t)(p->points + count) + 1;
+    double(*all)[2] = realloc(p->at, points * sizeof *all);
+    p->at = all ? all : p->at;
+    int *next = realloc(p->next, points * sizeof *next);
+    p->next = next ? next : p->next;
     int *line = realloc(p->line, (size_t)(p->lines + 2) * sizeof *line);
-    if (line)
-        p->line = line;
-    if (!all || !line)
+    p->line = line ? line : p->line;
+    if (!all || !next || !line)
         return STATUS_MEMORY;
     memcpy(p->at + p->points, at, (size_t)count * sizeof *at);
+    for (int n = 0; n < count; n++)
+        p->next[p->points + n] = p->points + (n + 1) % count;
     p->line[p->lines++] = p->points;
     p->line[p->lines] = p->points += count;
     return STATUS_OK;
@@ -96,18 +99,12 @@ out:
 /* --- what is wrong with lines -----------------------------------------------------------
  */
 
-/* Returns the point after a line's n-th. */
-static int after(const struct pattern *p, int line, int n)
-{
-    return n + 1 < p->line[line + 1] ? n + 1 : p->line[line];
-}
-
 static double area_of(const struct pattern *p, int line)
 {
     double sum = 0;
 
     for (int n = p->line[line]; n < p->line[line + 1]; n++)
-        sum += mesh_flat_left(p->at[p->line[line]], p->at[n], p->at[after(p, line, n)]) / 2;
+        sum += mesh_flat_left(p->at[p->line[line]], p->at[n], p->at[p->next[n]]) / 2;
     return sum;
 }
 
@@ -133,11 +130,9 @@ static bool cross(const double a[2], const double b[2], const double c[2],
     const double ac = mesh_flat_left(a, b, c), ad = mesh_flat_left(a, b, d);
     const double ca = mesh_flat_left(c, d, a), cb = mesh_flat_left(c, d, b);
 
-    if (((ac > 0 && ad < 0) || (ac < 0 && ad > 0)) &&
-        ((ca > 0 && cb < 0) || (ca < 0 && cb > 0)))
-        return true;
-    return (ac == 0 && between(a, b, c)) || (ad == 0 && between(a, b, d)) ||
-           (ca == 0 && between(c, d, a)) || (cb == 0 && between(c, d, b));
+    return (ac * ad < 0 && ca * cb < 0) || (ac == 0 && between(a, b, c)) ||
+           (ad == 0 && between(a, b, d)) || (ca == 0 && between(c, d, a)) ||
+           (cb == 0 && between(c, d, b));
 }
 
 /* Tells whether two neighbouring sides, a b and b c, run back on each other. */
@@ -152,14 +147,14 @@ static bool any_cross(const struct pattern *p, int *line, int *point)
 {
     for (int k = 0; k < p->lines; k++)
         for (int n = p->line[k]; n < p->line[k + 1]; n++) {
-            const int m = after(p, k, n);
+            const int m = p->next[n];
             const double *a = p->at[n], *b = p->at[m];
             *line = k, *point = n - p->line[k];
-            if (folds_back(a, b, p->at[after(p, k, m)]))
+            if (folds_back(a, b, p->at[p->next[m]]))
                 return true;
             for (int l = k; l < p->lines; l++)
                 for (int q = l == k ? n + 1 : p->line[l]; q < p->line[l + 1]; q++) {
-                    const int r = after(p, l, q);
+                    const int r = p->next[q];
                     if (q != m && r != n && cross(a, b, p->at[q], p->at[r]))
                         return true;
                 }
@@ -180,7 +175,7 @@ static bool inside(const struct pattern *p, int line, const double at[2])
     bool in = false;
 
     for (int n = p->line[line]; n < p->line[line + 1]; n++)
-        in ^= passes(at, p->at[n], p->at[after(p, line, n)]);
+        in ^= passes(at, p->at[n], p->at[p->next[n]]);
     return in;
 }
 
@@ -196,7 +191,7 @@ static enum pattern_fault fault_of(const struct pattern *p, int *line, int *poin
             return PATTERN_FEW;
         for (int n = p->line[k]; n < p->line[k + 1]; n++) {
             *point = n - p->line[k];
-            if (!memcmp(p->at[n], p->at[after(p, k, n)], sizeof *p->at))
+            if (!memcmp(p->at[n], p->at[p->next[n]], sizeof *p->at))
                 return PATTERN_DOUBLE;
         }
     }
@@ -412,12 +407,6 @@ enum status pattern_finish(struct pattern *p, double size[2], struct pattern_bla
     blame->fault = fault_of(p, &blame->line, &blame->point);
     if (blame->fault != PATTERN_SOUND)
         return STATUS_INPUT;
-    p->next = malloc((size_t)p->points * sizeof *p->next);
-    if (!p->next)
-        return STATUS_MEMORY;
-    for (int k = 0; k < p->lines; k++)
-        for (int n = p->line[k]; n < p->line[k + 1]; n++)
-            p->next[n] = after(p, k, n);
     move_to_zero(p, size);
     memcpy(p->size, size, sizeof p->size);
     p->near = NEAR * hypot(size[0], size[1]);

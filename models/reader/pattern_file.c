@@ -380,7 +380,7 @@ static enum status check_edge(struct reading *r, const struct pattern *p,
                               struct message *why)
 {
     double length[2], mean[2] = {0};
-    bool same = false;
+    bool same = false; /* the order of its ends in both */
 
     for (int s = 0; s < 2; s++) {
         const int t = e->triangle[s], *v = sewn->triangle[t];
@@ -407,31 +407,13 @@ static enum status check_edge(struct reading *r, const struct pattern *p,
     return STATUS_OK;
 }
 
-/* Refuses pieces that nothing joins. */
-static enum status check_pieces(struct reading *r, const struct mesh_flat *sewn,
-                                struct message *why)
-{
-    int *piece = malloc(((size_t)sewn->nodes + 1) * sizeof *piece), other = -1;
-
-    if (!piece)
-        return STATUS_MEMORY;
-    mesh_flat_pieces(sewn, piece);
-    for (int t = 0; t < sewn->triangles && other < 0; t++)
-        other = piece[sewn->triangle[t][0]] ? t : -1;
-    free(piece);
-    if (other < 0)
-        return STATUS_OK;
-    return yaml_tree_refuse(face(r, other), why,
-                            "nothing joins this panel to the first; a seam, or points that "
-                            "both name, would be right");
-}
-
+/* Refuses what sewing makes no surface, or several. */
 static enum status check_sewn(struct reading *r, const struct pattern *p,
                               struct message *why)
 {
     struct mesh_flat sewn = {0};
     struct mesh_edge *edge = NULL;
-    int edges, *next = NULL;
+    int edges, *work = NULL;
     enum status st;
 
     TRY(pattern_sewn(p, &sewn));
@@ -446,14 +428,19 @@ static enum status check_sewn(struct reading *r, const struct pattern *p,
     for (int n = 0; n < edges; n++)
         if (edge[n].triangle[1] >= 0)
             TRY(check_edge(r, p, &sewn, &edge[n], why));
-    TRY(check_pieces(r, &sewn, why));
-    next = malloc((size_t)sewn.nodes * sizeof *next);
-    TRY(next ? STATUS_OK : STATUS_MEMORY);
-    const int triangle = mesh_flat_rim(&sewn, edge, edges, next);
+    work = malloc((size_t)sewn.nodes * sizeof *work);
+    TRY(work ? STATUS_OK : STATUS_MEMORY);
+    mesh_flat_pieces(&sewn, work);
+    for (int t = 0; t < sewn.triangles; t++)
+        if (work[sewn.triangle[t][0]])
+            TRY(yaml_tree_refuse(face(r, t), why,
+                                 "nothing joins this panel to the first; a seam, or points "
+                                 "that both name, would be right"));
+    const int triangle = mesh_flat_rim(&sewn, edge, edges, work);
     if (triangle >= 0)
         st = refuse_point(r, triangle, why);
 out:
-    free(next);
+    free(work);
     free(edge);
     mesh_flat_clear(&sewn);
     return st;

@@ -73,11 +73,11 @@ static enum status refuse_lines(const struct yaml_tree *outline,
     static const char *const sentence[] = {
         [PATTERN_FEW] = "has less than three points",
         [PATTERN_DOUBLE] =
-            "has a point twice; each once, without the first again at the end, "
-            "would be right",
+            "has a point twice; each once, without the first again at the end, would be "
+            "right",
         [PATTERN_CROSSING] =
-            "has a side that meets another one; sides that meet at their ends "
-            "only would be right",
+            "has a side that meets another one; sides that meet at their ends only would "
+            "be right",
         [PATTERN_PIECES] = "has no area",
         [PATTERN_OUTSIDE] =
             "is a hole that is not inside the outline, or is in another hole"};
@@ -326,9 +326,7 @@ enum status scene_outline_check(const struct yaml_tree *root, bool files,
         if (given && (outline || mesh))
             return yaml_tree_refuse(
                 given, why,
-                "%s follows from the outline or mesh of the sheet; leave "
-                "it out",
-                size[i]);
+                "%s follows from the outline or mesh of the sheet; leave it out", size[i]);
         if (!given && !outline && !mesh)
             return schema_lacks(key, sheet, "sheet", why);
     }
@@ -344,8 +342,7 @@ enum status scene_outline_check(const struct yaml_tree *root, bool files,
     if (scene->sheets > 1 || scene->shape != SCENE_FLAT)
         return yaml_tree_refuse(
             outline ? outline : mesh, why,
-            "a sheet with an outline or a mesh must be flat, and the only "
-            "one");
+            "a sheet with an outline or a mesh must be flat, and the only one");
     if (outline)
         TRY(draw_pattern(outline, holes, scene, why));
     else

@@ -37,6 +37,10 @@ const struct schema_key scene_outline_keys[] = {
     {NULL}};
 /* clang-format on */
 
+/* So many times as long as wide an outline may be: its border has as many points as edges
+ * of even triangles fit in. */
+static const double SLENDER = 1e4;
+
 /* Adds a closed line of rows [x, y] to a pattern. */
 static enum status add_line(const struct yaml_tree *node, struct pattern *p,
                             struct message *why)
@@ -80,7 +84,8 @@ static enum status refuse_lines(const struct yaml_tree *outline,
             "be right",
         [PATTERN_PIECES] = "has no area",
         [PATTERN_OUTSIDE] =
-            "is a hole that is not inside the outline, or is in another hole"};
+            "is a hole that is not inside the outline, or is in another hole; holes beside "
+            "each other inside it would be right"};
     const struct yaml_tree *line = outline, *row;
 
     for (int n = 0; n < blame->line; n++)
@@ -112,6 +117,12 @@ static enum status draw_pattern(const struct yaml_tree *outline,
     if (st == STATUS_INPUT)
         st = refuse_lines(outline, holes, &blame, why);
     TRY(st);
+    const double narrow = fmin(size[0], size[1]), wide = fmax(size[0], size[1]);
+    if (narrow < 1e-9 || wide > SLENDER * narrow)
+        TRY(yaml_tree_refuse(outline, why,
+                             "the outline is %g by %g m; 1e-9 m at least, and not more "
+                             "than %g times as long as wide, would be right",
+                             size[0], size[1], SLENDER));
     pattern_free(scene->pattern);
     scene->pattern = p, p = NULL;
     scene->length = size[0], scene->width = size[1];

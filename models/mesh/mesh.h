@@ -101,7 +101,8 @@ void mesh_weigh_edges(const struct mesh *mesh, double areal, double *mass);
 /* Marks the clamped points. */
 void mesh_clamp(struct mesh *mesh, const struct scene *scene);
 
-/* Adds the scene's loads to f[vertices][3] of a mesh with triangles. */
+/* Adds the scene's loads to f[vertices][3] of a mesh with triangles. STATUS_INPUT where one
+ * lies beside them, which the scene's reader refuses with a sentence. */
 enum status mesh_add_loads(const struct mesh *mesh, const struct scene *scene, double *f);
 
 /* Computes the scene's loads on the points, by their hat functions: *dead[nodes][3] [N],

@@ -98,23 +98,18 @@ static void visit_bins(const struct mesh *mesh, const double size[2], int t, boo
         for (int j = from[1]; j <= to[1]; j++) {
             const int b = i * mesh->bins[1] + j;
             if (fill)
-                mesh->bin[mesh->bin_at[b]++] = t;
+                mesh->bin[mesh->bin_at[b + 1]++] = t;
             else
-                mesh->bin_at[b + 1]++;
+                mesh->bin_at[b + 2]++;
         }
 }
 
+/* Turns counts of lists, two places on, into their starts one place on, which filling them
+ * moves to their ends: the starts of the next. */
 static void sum_up(int *from, int count)
 {
     for (int n = 0; n < count; n++)
         from[n + 1] += from[n];
-}
-
-/* Turns ends of lists into their starts again. */
-static void shift_back(int *from, int count)
-{
-    memmove(from + 1, from, (size_t)count * sizeof *from);
-    from[0] = 0;
 }
 
 static enum status make_lists(struct mesh *mesh, const double size[2])
@@ -131,19 +126,17 @@ static enum status make_lists(struct mesh *mesh, const double size[2])
     for (int t = 0; t < triangles; t++) {
         visit_bins(mesh, size, t, false);
         for (int c = 0; c < 3; c++)
-            mesh->ring_at[mesh->flat.triangle[t][c] + 1]++;
+            mesh->ring_at[mesh->flat.triangle[t][c] + 2]++;
     }
-    sum_up(mesh->bin_at, bins * bins);
-    sum_up(mesh->ring_at, vertices);
+    sum_up(mesh->bin_at, bins * bins + 1);
+    sum_up(mesh->ring_at, vertices + 1);
     TRY(room_cut(&mesh->lists, ROOM(mesh->ring, 3 * triangles),
-                 ROOM(mesh->bin, mesh->bin_at[bins * bins])));
+                 ROOM(mesh->bin, mesh->bin_at[bins * bins + 1])));
     for (int t = 0; t < triangles; t++) {
         visit_bins(mesh, size, t, true);
         for (int c = 0; c < 3; c++)
-            mesh->ring[mesh->ring_at[mesh->flat.triangle[t][c]]++] = t;
+            mesh->ring[mesh->ring_at[mesh->flat.triangle[t][c] + 1]++] = t;
     }
-    shift_back(mesh->bin_at, bins * bins);
-    shift_back(mesh->ring_at, vertices);
 out:
     return st;
 }
@@ -429,8 +422,9 @@ static void add_integrals(const struct mesh *mesh, int t, const double lo[2],
         share[mesh->flat.triangle[t][c]] += (end[1] - end[0]) * w[c];
 }
 
-/* Adds a load's force, shared by its integrals of the hat functions. */
-static void add_load(const struct mesh *mesh, const struct scene_load *load, double *share,
+/* Adds a load's force, shared by its integrals of the hat functions; false: it lies beside
+ * the sheet. */
+static bool add_load(const struct mesh *mesh, const struct scene_load *load, double *share,
                      double *f)
 {
     double lo[2], hi[2], sum = 0, w[3];
@@ -444,7 +438,8 @@ static void add_load(const struct mesh *mesh, const struct scene_load *load, dou
     }
     if (hi[0] <= lo[0] && hi[1] <= lo[1]) {
         const int t = mesh_find(mesh, load->lo, w);
-        for (int c = 0; c < 3; c++)
+        const bool within = t >= 0 && fmin(w[0], fmin(w[1], w[2])) >= -BESIDE;
+        for (int c = 0; within && c < 3; c++)
             share[mesh->flat.triangle[t][c]] = w[c];
     } else {
         for (int t = 0; t < mesh->flat.triangles; t++)
@@ -452,18 +447,19 @@ static void add_load(const struct mesh *mesh, const struct scene_load *load, dou
     }
     for (int a = 0; a < mesh->vertices; a++)
         sum += share[a];
-    for (int n = 0; n < 3 * mesh->vertices; n++)
+    for (int n = 0; sum > 0 && n < 3 * mesh->vertices; n++)
         f[n] += share[n / 3] / sum * load->force[n % 3];
+    return sum > 0;
 }
 
 enum status mesh_add_loads(const struct mesh *mesh, const struct scene *scene, double *f)
 {
     double *share = malloc((size_t)mesh->vertices * sizeof *share);
 
-    if (!share)
-        return STATUS_MEMORY;
-    for (int n = 0; n < scene->load_count; n++)
-        add_load(mesh, &scene->loads[n], share, f);
+    enum status st = share ? STATUS_OK : STATUS_MEMORY;
+
+    for (int n = 0; st == STATUS_OK && n < scene->load_count; n++)
+        st = add_load(mesh, &scene->loads[n], share, f) ? STATUS_OK : STATUS_INPUT;
     free(share);
-    return STATUS_OK;
+    return st;
 }

@@ -1,6 +1,5 @@
 #include "models/mesh_flat.h"
 
-#include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -71,8 +70,9 @@ enum status mesh_flat_edges(const struct mesh_flat *flat, struct mesh_edge **edg
 
     *count = 0;
     *edge = malloc((halves + 1) * sizeof **edge);
-    *side = malloc(((size_t)flat->triangles + 1) * sizeof **side);
-    if (!half || !*edge || !*side)
+    if (side)
+        *side = malloc(((size_t)flat->triangles + 1) * sizeof **side);
+    if (!half || !*edge || (side && !*side))
         TRY(STATUS_MEMORY);
     list_halves(flat, half);
     for (size_t n = 0, meet = 0; n < halves; n++) {
@@ -90,16 +90,32 @@ enum status mesh_flat_edges(const struct mesh_flat *flat, struct mesh_edge **edg
                 {h->triangle, -1}};
         else
             e->node[3] = node[h->corner], e->triangle[1] = h->triangle;
-        (*side)[h->triangle][h->corner] = *count - 1;
+        if (side)
+            (*side)[h->triangle][h->corner] = *count - 1;
     }
 out:
     free(half);
     if (st != STATUS_OK) {
         free(*edge);
-        free(*side);
-        *edge = NULL, *side = NULL;
+        *edge = NULL;
+        if (side)
+            free(*side), *side = NULL;
     }
     return st;
+}
+
+int mesh_flat_rim(const struct mesh_flat *flat, const struct mesh_edge *edge, int edges,
+                  int *next)
+{
+    memset(next, -1, (size_t)flat->nodes * sizeof *next);
+    for (const struct mesh_edge *e = edge; e < edge + edges; e++) {
+        if (e->node[3] >= 0)
+            continue;
+        if (next[e->node[0]] >= 0)
+            return e->triangle[0];
+        next[e->node[0]] = e->node[1];
+    }
+    return -1;
 }
 
 void mesh_flat_pieces(const struct mesh_flat *flat, int *piece)
@@ -171,6 +187,20 @@ double mesh_flat_area2(const struct mesh_flat *flat, int a, int b, int c)
     return mesh_flat_left(flat->at[a], flat->at[b], flat->at[c]);
 }
 
+double mesh_flat_weigh(const struct mesh_flat *flat, int triangle, const double p[2],
+                       double weight[3])
+{
+    const double *a = mesh_flat_place(flat, triangle, 0),
+                 *b = mesh_flat_place(flat, triangle, 1),
+                 *c = mesh_flat_place(flat, triangle, 2);
+    const double whole = mesh_flat_left(a, b, c);
+
+    weight[0] = mesh_flat_left(p, b, c) / whole;
+    weight[1] = mesh_flat_left(a, p, c) / whole;
+    weight[2] = 1 - weight[0] - weight[1];
+    return fmin(weight[0], fmin(weight[1], weight[2]));
+}
+
 /* Returns minus the cosine-like measure that is positive where the angles across from an
  * edge a b, at c and d, are more than 180 degrees together: d lies in c's circle. */
 static double excess(const struct mesh_flat *flat, const int node[4])
@@ -195,20 +225,15 @@ static void replace(struct mesh_edge *e, int triangle, int with, int across)
     e->triangle[k] = with, e->node[2 + k] = across;
 }
 
-static int corner_of(const int triangle[3], int node)
-{
-    return triangle[0] == node ? 0 : triangle[1] == node ? 1 : 2;
-}
-
 void mesh_flat_turn(struct mesh_flat *flat, struct mesh_edge *edge, int (*side)[3], int k)
 {
     struct mesh_edge *e = &edge[k];
     const int a = e->node[0], b = e->node[1], c = e->node[2], d = e->node[3];
     const int s = e->triangle[0], t = e->triangle[1];
-    const int bc = side[s][corner_of(flat->triangle[s], a)];
-    const int ca = side[s][corner_of(flat->triangle[s], b)];
-    const int db = side[t][corner_of(flat->triangle[t], a)];
-    const int ad = side[t][corner_of(flat->triangle[t], b)];
+    const int bc = side[s][mesh_flat_corner(flat->triangle[s], a)];
+    const int ca = side[s][mesh_flat_corner(flat->triangle[s], b)];
+    const int db = side[t][mesh_flat_corner(flat->triangle[t], a)];
+    const int ad = side[t][mesh_flat_corner(flat->triangle[t], b)];
 
     replace(&edge[ca], s, s, d);
     replace(&edge[ad], t, s, c);

@@ -9,6 +9,9 @@
 /* So near a side, in shares of the box's diagonal, a place is on it. */
 static const double NEAR = 1e-12;
 
+/* The round-off of weights in a triangle, and of places in cells of the grid. */
+static const double ROUND_OFF = 1e-9;
+
 struct pattern *pattern_make(void)
 {
     return calloc(1, sizeof(struct pattern));
@@ -35,15 +38,18 @@ void pattern_free(struct pattern *p)
 
 enum status pattern_add_line(struct pattern *p, int count, const double (*at)[2])
 {
-    double(*all)[2] = realloc(p->at, (size_t)(p->points + count + 1) * sizeof *all);
-    if (all)
-        p->at = all;
+    const size_t points = (size_t)(p->points + count) + 1;
+    double(*all)[2] = realloc(p->at, points * sizeof *all);
+    p->at = all ? all : p->at;
+    int *next = realloc(p->next, points * sizeof *next);
+    p->next = next ? next : p->next;
     int *line = realloc(p->line, (size_t)(p->lines + 2) * sizeof *line);
-    if (line)
-        p->line = line;
-    if (!all || !line)
+    p->line = line ? line : p->line;
+    if (!all || !next || !line)
         return STATUS_MEMORY;
     memcpy(p->at + p->points, at, (size_t)count * sizeof *at);
+    for (int n = 0; n < count; n++)
+        p->next[p->points + n] = p->points + (n + 1) % count;
     p->line[p->lines++] = p->points;
     p->line[p->lines] = p->points += count;
     return STATUS_OK;
@@ -51,23 +57,6 @@ enum status pattern_add_line(struct pattern *p, int count, const double (*at)[2]
 
 /* --- lines around triangles -------------------------------------------------------------
  */
-
-/* Fills next[node], along the rim with the sheet to its left, -1 inside. Returns the
- * triangle at a node that the rim passes twice, or -1. */
-static int follow_rim(const struct mesh_flat *mesh, const struct mesh_edge *edge, int edges,
-                      int *next)
-{
-    for (int a = 0; a < mesh->nodes; a++)
-        next[a] = -1;
-    for (const struct mesh_edge *e = edge; e < edge + edges; e++) {
-        if (e->node[3] >= 0)
-            continue;
-        if (next[e->node[0]] >= 0)
-            return e->triangle[0];
-        next[e->node[0]] = e->node[1];
-    }
-    return -1;
-}
 
 static enum status add_lines(struct pattern *p, int *next, double (*at)[2])
 {
@@ -89,14 +78,14 @@ static enum status add_lines(struct pattern *p, int *next, double (*at)[2])
 enum status pattern_add_mesh(struct pattern *p, struct mesh_flat *mesh, int *triangle)
 {
     struct mesh_edge *edge = NULL;
-    int edges, (*side)[3] = NULL;
+    int edges;
     int *next = malloc((size_t)mesh->nodes * sizeof *next);
     double(*at)[2] = malloc((size_t)mesh->nodes * sizeof *at);
     enum status st = next && at ? STATUS_OK : STATUS_MEMORY;
 
     TRY(st);
-    TRY(mesh_flat_edges(mesh, &edge, &edges, &side));
-    *triangle = follow_rim(mesh, edge, edges, next);
+    TRY(mesh_flat_edges(mesh, &edge, &edges, NULL));
+    *triangle = mesh_flat_rim(mesh, edge, edges, next);
     TRY(*triangle < 0 ? STATUS_OK : STATUS_INPUT);
     HAND_OVER(&p->mesh, *mesh);
     TRY(add_lines(p, next, at));
@@ -104,25 +93,18 @@ out:
     free(next);
     free(at);
     free(edge);
-    free(side);
     return st;
 }
 
 /* --- what is wrong with lines -----------------------------------------------------------
  */
 
-/* Returns the point after a line's n-th. */
-static int after(const struct pattern *p, int line, int n)
-{
-    return n + 1 < p->line[line + 1] ? n + 1 : p->line[line];
-}
-
 static double area_of(const struct pattern *p, int line)
 {
     double sum = 0;
 
     for (int n = p->line[line]; n < p->line[line + 1]; n++)
-        sum += mesh_flat_left(p->at[p->line[line]], p->at[n], p->at[after(p, line, n)]) / 2;
+        sum += mesh_flat_left(p->at[p->line[line]], p->at[n], p->at[p->next[n]]) / 2;
     return sum;
 }
 
@@ -148,11 +130,9 @@ static bool cross(const double a[2], const double b[2], const double c[2],
     const double ac = mesh_flat_left(a, b, c), ad = mesh_flat_left(a, b, d);
     const double ca = mesh_flat_left(c, d, a), cb = mesh_flat_left(c, d, b);
 
-    if (((ac > 0 && ad < 0) || (ac < 0 && ad > 0)) &&
-        ((ca > 0 && cb < 0) || (ca < 0 && cb > 0)))
-        return true;
-    return (ac == 0 && between(a, b, c)) || (ad == 0 && between(a, b, d)) ||
-           (ca == 0 && between(c, d, a)) || (cb == 0 && between(c, d, b));
+    return (ac * ad < 0 && ca * cb < 0) || (ac == 0 && between(a, b, c)) ||
+           (ad == 0 && between(a, b, d)) || (ca == 0 && between(c, d, a)) ||
+           (cb == 0 && between(c, d, b));
 }
 
 /* Tells whether two neighbouring sides, a b and b c, run back on each other. */
@@ -167,14 +147,14 @@ static bool any_cross(const struct pattern *p, int *line, int *point)
 {
     for (int k = 0; k < p->lines; k++)
         for (int n = p->line[k]; n < p->line[k + 1]; n++) {
-            const int m = after(p, k, n);
+            const int m = p->next[n];
             const double *a = p->at[n], *b = p->at[m];
             *line = k, *point = n - p->line[k];
-            if (folds_back(a, b, p->at[after(p, k, m)]))
+            if (folds_back(a, b, p->at[p->next[m]]))
                 return true;
             for (int l = k; l < p->lines; l++)
                 for (int q = l == k ? n + 1 : p->line[l]; q < p->line[l + 1]; q++) {
-                    const int r = after(p, l, q);
+                    const int r = p->next[q];
                     if (q != m && r != n && cross(a, b, p->at[q], p->at[r]))
                         return true;
                 }
@@ -182,18 +162,20 @@ static bool any_cross(const struct pattern *p, int *line, int *point)
     return false;
 }
 
+/* Tells whether the way from a place along u crosses the side from a to b. */
+static bool passes(const double at[2], const double a[2], const double b[2])
+{
+    return (a[1] > at[1]) != (b[1] > at[1]) &&
+           at[0] - a[0] < (at[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]);
+}
+
 /* Tells whether a place is inside one line, which it is not on. */
 static bool inside(const struct pattern *p, int line, const double at[2])
 {
     bool in = false;
 
-    for (int n = p->line[line]; n < p->line[line + 1]; n++) {
-        const double *a = p->at[n], *b = p->at[after(p, line, n)];
-        if ((a[1] > at[1]) == (b[1] > at[1]))
-            continue;
-        if (at[0] < a[0] + (at[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]))
-            in = !in;
-    }
+    for (int n = p->line[line]; n < p->line[line + 1]; n++)
+        in ^= passes(at, p->at[n], p->at[p->next[n]]);
     return in;
 }
 
@@ -209,7 +191,7 @@ static enum pattern_fault fault_of(const struct pattern *p, int *line, int *poin
             return PATTERN_FEW;
         for (int n = p->line[k]; n < p->line[k + 1]; n++) {
             *point = n - p->line[k];
-            if (!memcmp(p->at[n], p->at[after(p, k, n)], sizeof *p->at))
+            if (!memcmp(p->at[n], p->at[p->next[n]], sizeof *p->at))
                 return PATTERN_DOUBLE;
         }
     }
@@ -257,18 +239,15 @@ static void move_to_zero(struct pattern *p, double size[2])
  * reaches. */
 static bool has(const struct pattern *p, int count, const int *side, double x, double y)
 {
+    const double at[2] = {x, y};
     bool in = false;
 
     for (int n = 0; n < count; n++) {
         const int m = side ? side[n] : n;
         const double *a = p->at[m], *b = p->at[p->next[m]];
-        const double d[2] = {b[0] - a[0], b[1] - a[1]}, e[2] = {x - a[0], y - a[1]};
-        const double along = (e[0] * d[0] + e[1] * d[1]) / (d[0] * d[0] + d[1] * d[1]);
-        const double s = fmin(fmax(along, 0), 1);
-        const double off[2] = {e[0] - s * d[0], e[1] - s * d[1]};
-        if (off[0] * off[0] + off[1] * off[1] <= p->near * p->near)
+        if (mesh_flat_off2(a, b, at) <= p->near * p->near)
             return true;
-        in ^= (a[1] > y) != (b[1] > y) && e[0] < e[1] / d[1] * d[0];
+        in ^= passes(at, a, b);
     }
     return in;
 }
@@ -302,34 +281,6 @@ static enum status mark(struct pattern *p, const double size[2])
 
 /* --- panels in space --------------------------------------------------------------------
  */
-
-/* Computes the weights of a triangle's points at x, y; returns the least. */
-static double weigh(const struct pattern *p, int triangle, double x, double y,
-                    double weight[3])
-{
-    const int *v = p->mesh.triangle[triangle];
-    const double(*at)[2] = (const double(*)[2])p->mesh.at, here[2] = {x, y};
-    const double whole = mesh_flat_left(at[v[0]], at[v[1]], at[v[2]]);
-
-    weight[0] = mesh_flat_left(here, at[v[1]], at[v[2]]) / whole;
-    weight[1] = mesh_flat_left(at[v[0]], here, at[v[2]]) / whole;
-    weight[2] = 1 - weight[0] - weight[1];
-    return fmin(weight[0], fmin(weight[1], weight[2]));
-}
-
-/* Returns the triangle that a place is in, or most nearly. */
-static int find(const struct pattern *p, double x, double y)
-{
-    double best = -INFINITY, weight[3];
-    int found = 0;
-
-    for (int t = 0; t < p->mesh.triangles; t++) {
-        const double least = weigh(p, t, x, y, weight);
-        if (least > best)
-            best = least, found = t;
-    }
-    return found;
-}
 
 /* Takes the points off the material grid that lie in a cell with one of another panel. */
 static enum status part_panels(struct pattern *p)
@@ -373,13 +324,15 @@ static enum status find_nearest(struct pattern *p, const double size[2])
             const int *v = p->mesh.triangle[t];
             const double a = p->mesh.at[v[0]][i] * scale, b = p->mesh.at[v[1]][i] * scale,
                          c = p->mesh.at[v[2]][i] * scale;
-            low[i] = (int)ceil(fmin(a, fmin(b, c)) - 1e-9);
-            high[i] = (int)floor(fmax(a, fmax(b, c)) + 1e-9);
+            low[i] = (int)ceil(fmin(a, fmin(b, c)) - ROUND_OFF);
+            high[i] = (int)floor(fmax(a, fmax(b, c)) + ROUND_OFF);
         }
         for (int j = low[1]; j <= high[1]; j++)
             for (int i = low[0]; i <= high[0]; i++)
-                if (weigh(p, t, i / (GRID_U - 1.) * size[0], j / (GRID_V - 1.) * size[1],
-                          weight) > -1e-9)
+                if (mesh_flat_weigh(&p->mesh, t,
+                                    (double[]){i / (GRID_U - 1.) * size[0],
+                                               j / (GRID_V - 1.) * size[1]},
+                                    weight) > -ROUND_OFF)
                     p->nearest[j * GRID_U + i] = t;
     }
     return part_panels(p);
@@ -390,12 +343,18 @@ void pattern_begin(const struct pattern *p, double x, double y, double begin[3],
 {
     const int i = (int)fmin(fmax(round(x / p->size[0] * (GRID_U - 1)), 0), GRID_U - 1),
               j = (int)fmin(fmax(round(y / p->size[1] * (GRID_V - 1)), 0), GRID_V - 1);
-    double weight[3], sum = 0, e[2][3];
+    const double at[2] = {x, y};
+    double weight[3], sum = 0, e[2][3], best = -INFINITY;
     int t = p->nearest[j * GRID_U + i];
 
-    if (t < 0 || weigh(p, t, x, y, weight) < -1e-9) {
-        t = find(p, x, y);
-        weigh(p, t, x, y, weight);
+    if (t < 0 || mesh_flat_weigh(&p->mesh, t, at, weight) < -ROUND_OFF) {
+        t = 0;
+        for (int s = 0; s < p->mesh.triangles; s++) {
+            const double least = mesh_flat_weigh(&p->mesh, s, at, weight);
+            if (least > best)
+                best = least, t = s;
+        }
+        mesh_flat_weigh(&p->mesh, t, at, weight);
     }
     for (int k = 0; k < 3; k++)
         sum += weight[k] = fmax(weight[k], 0);
@@ -427,10 +386,10 @@ enum status pattern_sewn(const struct pattern *p, struct mesh_flat *flat)
         memcpy(flat->start, p->start, (size_t)nodes * sizeof *flat->start);
     }
     for (int a = own->nodes - 1; a >= 0; a--) /* of several places the first */
-        memcpy(flat->at[p->node ? p->node[a] : a], own->at[a], sizeof *own->at);
+        memcpy(flat->at[pattern_node(p, a)], own->at[a], sizeof *own->at);
     for (int n = 0; n < 3 * own->triangles; n++) {
         const int a = own->triangle[n / 3][n % 3];
-        flat->triangle[n / 3][n % 3] = p->node ? p->node[a] : a;
+        flat->triangle[n / 3][n % 3] = pattern_node(p, a);
         if (p->node)
             memcpy(flat->corner[n / 3][n % 3], own->at[a], sizeof *own->at);
     }
@@ -448,12 +407,6 @@ enum status pattern_finish(struct pattern *p, double size[2], struct pattern_bla
     blame->fault = fault_of(p, &blame->line, &blame->point);
     if (blame->fault != PATTERN_SOUND)
         return STATUS_INPUT;
-    p->next = malloc((size_t)p->points * sizeof *p->next);
-    if (!p->next)
-        return STATUS_MEMORY;
-    for (int k = 0; k < p->lines; k++)
-        for (int n = p->line[k]; n < p->line[k + 1]; n++)
-            p->next[n] = after(p, k, n);
     move_to_zero(p, size);
     memcpy(p->size, size, sizeof p->size);
     p->near = NEAR * hypot(size[0], size[1]);

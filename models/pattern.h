@@ -3,8 +3,8 @@
  *
  * Lines go round with the sheet to their left: outlines counter-clockwise, holes clockwise.
  *
- * A garment has several panels, which lie beside each other in the plane, and starts in
- * space: points of triangles that are sewn together are one node there.
+ * The panels of a garment lie beside each other in the plane, and it starts in space, where
+ * points of triangles that are sewn together are one node.
  */
 #ifndef PATTERN_H
 #define PATTERN_H
@@ -16,8 +16,8 @@
 #include "models/status.h"
 
 enum {
-    PATTERN_MOST = 10000
-}; /* points of all lines that a scene writes down             */
+    PATTERN_MOST = 10000 /* points of all lines that a scene writes down                 */
+};
 
 struct pattern {
     int points, lines;
@@ -50,7 +50,13 @@ static inline bool pattern_starts_in_space(const struct pattern *p)
     return p && p->start;
 }
 
-/* Adds a closed line through at[count]; its last point is not the first again. */
+/* Returns the node at one of the mesh's places. */
+static inline int pattern_node(const struct pattern *p, int place)
+{
+    return p->node ? p->node[place] : place;
+}
+
+/* Adds a closed line through at[count], whose last point is not the first again. */
 enum status pattern_add_line(struct pattern *p, int count, const double (*at)[2]);
 
 /* Takes over the triangles of a mesh, which is then empty, and adds the lines around them.
@@ -60,11 +66,11 @@ enum status pattern_add_mesh(struct pattern *p, struct mesh_flat *mesh, int *tri
 /* Names what is wrong with a pattern's lines. */
 enum pattern_fault {
     PATTERN_SOUND,
-    PATTERN_FEW,    /* a line has less than three points                                 */
-    PATTERN_DOUBLE, /* two points are one                                                */
-    PATTERN_CROSSING, /* two sides cross or touch */
-    PATTERN_PIECES,  /* there are two outlines, and no panels                             */
-    PATTERN_OUTSIDE, /* a hole is not in the outline, or lies in another                  */
+    PATTERN_FEW,      /* a line has less than three points                               */
+    PATTERN_DOUBLE,   /* two points are one                                              */
+    PATTERN_CROSSING, /* two sides cross or touch                                        */
+    PATTERN_PIECES,   /* there are two outlines, and no panels                           */
+    PATTERN_OUTSIDE,  /* a hole is not in the outline, or lies in another                */
 };
 
 struct pattern_blame {
@@ -74,7 +80,8 @@ struct pattern_blame {
 
 /* Ends a pattern: turns lines round where they go the wrong way (without a mesh the first
  * is the outline, others are holes), moves it so that its box begins at 0, and fills the
- * rest in; size[2]: of the box [m]. STATUS_INPUT: *blame. */
+ * rest in; the box's size goes to size[2] [m]. STATUS_INPUT with *blame where lines are
+ * wrong. */
 enum status pattern_finish(struct pattern *p, double size[2], struct pattern_blame *blame);
 
 /* Tells whether a place [m] is on the sheet or on its border. */
@@ -88,7 +95,7 @@ void pattern_begin(const struct pattern *p, double x, double y, double begin[3],
 /* Makes the triangles of the sheet as it is sewn together, of a pattern that has some. */
 enum status pattern_sewn(const struct pattern *p, struct mesh_flat *flat);
 
-/* Returns a number made from the pattern's triangles: of two meshes they differ. */
+/* Returns a number made from the pattern's triangles; two meshes have different ones. */
 unsigned long long pattern_sum(const struct pattern *p);
 
 #endif

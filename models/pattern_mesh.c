@@ -104,11 +104,6 @@ struct walk {
     int count, *node;
 };
 
-static double turn_at(const struct work *w, int a, int b, int c)
-{
-    return mesh_flat_area2(w->flat, a, b, c);
-}
-
 /* Tells whether the way between two nodes crosses or touches a side that neither ends. */
 static bool is_blocked(const struct work *w, int a, int b)
 {
@@ -116,8 +111,10 @@ static bool is_blocked(const struct work *w, int a, int b)
         const int d = w->next[c];
         if (c == a || c == b || d == a || d == b)
             continue;
-        const double abc = turn_at(w, a, b, c), abd = turn_at(w, a, b, d);
-        const double cda = turn_at(w, c, d, a), cdb = turn_at(w, c, d, b);
+        const double abc = mesh_flat_area2(w->flat, a, b, c),
+                     abd = mesh_flat_area2(w->flat, a, b, d);
+        const double cda = mesh_flat_area2(w->flat, c, d, a),
+                     cdb = mesh_flat_area2(w->flat, c, d, b);
         if (((abc >= 0 && abd <= 0) || (abc <= 0 && abd >= 0)) &&
             ((cda >= 0 && cdb <= 0) || (cda <= 0 && cdb >= 0)))
             return true;
@@ -130,8 +127,9 @@ static bool looks_in(const struct work *w, const struct walk *walk, int n, int t
 {
     const int at = walk->node[n], before = walk->node[(n + walk->count - 1) % walk->count],
               after = walk->node[(n + 1) % walk->count];
-    const bool convex = turn_at(w, before, at, after) > 0;
-    const bool a = turn_at(w, before, at, to) > 0, b = turn_at(w, at, after, to) > 0;
+    const bool convex = mesh_flat_area2(w->flat, before, at, after) > 0;
+    const bool a = mesh_flat_area2(w->flat, before, at, to) > 0,
+               b = mesh_flat_area2(w->flat, at, after, to) > 0;
 
     return convex ? a && b : a || b;
 }
@@ -196,12 +194,13 @@ static bool is_ear(const struct work *w, const struct walk *walk, int n)
     const int a = walk->node[(n + walk->count - 1) % walk->count], b = walk->node[n],
               c = walk->node[(n + 1) % walk->count];
 
-    if (!(turn_at(w, a, b, c) > 0))
+    if (!(mesh_flat_area2(w->flat, a, b, c) > 0))
         return false;
     for (int k = 0; k < walk->count; k++) {
         const int d = walk->node[k];
-        if (d != a && d != b && d != c && turn_at(w, a, b, d) >= 0 &&
-            turn_at(w, b, c, d) >= 0 && turn_at(w, c, a, d) >= 0)
+        if (d != a && d != b && d != c && mesh_flat_area2(w->flat, a, b, d) >= 0 &&
+            mesh_flat_area2(w->flat, b, c, d) >= 0 &&
+            mesh_flat_area2(w->flat, c, a, d) >= 0)
             return false;
     }
     return true;
@@ -217,8 +216,9 @@ static void clip(struct work *w, struct walk *walk)
         n %= walk->count;
         const int a = walk->node[(n + walk->count - 1) % walk->count], b = walk->node[n],
                   c = walk->node[(n + 1) % walk->count];
-        if (!(since < walk->count ? is_ear(w, walk, n)
-                                  : turn_at(w, a, b, c) > 0 || since > 2 * walk->count)) {
+        if (!(since < walk->count
+                  ? is_ear(w, walk, n)
+                  : mesh_flat_area2(w->flat, a, b, c) > 0 || since > 2 * walk->count)) {
             n++, since++;
             continue;
         }

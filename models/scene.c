@@ -66,17 +66,6 @@ static void *grow(void *array, int count, size_t size)
     return realloc(array, ((size_t)count + 1) * size);
 }
 
-/* Tells whether p is on the segment from a to b. */
-static bool on_segment(const double a[2], const double b[2], const double p[2])
-{
-    const double d[2] = {b[0] - a[0], b[1] - a[1]}, e[2] = {p[0] - a[0], p[1] - a[1]};
-    const double square = d[0] * d[0] + d[1] * d[1];
-    const double s =
-        square > 0 ? fmin(fmax((e[0] * d[0] + e[1] * d[1]) / square, 0), 1) : 0;
-
-    return hypot(e[0] - s * d[0], e[1] - s * d[1]) <= ON_PART;
-}
-
 bool scene_support_has(const struct scene_support *s, double u, double v)
 {
     const double p[2] = {u, v};
@@ -86,8 +75,8 @@ bool scene_support_has(const struct scene_support *s, double u, double v)
         int left = 0;
         for (int k = 0; k < 3; k++) {
             const double *a = s->part[n][k], *b = s->part[n][(k + 1) % 3];
-            has |= on_segment(a, b, p);
-            left += (b[0] - a[0]) * (v - a[1]) > (b[1] - a[1]) * (u - a[0]);
+            has |= mesh_flat_off2(a, b, p) <= ON_PART * ON_PART;
+            left += mesh_flat_left(a, b, p) > 0;
         }
         has |= left == 3;
     }

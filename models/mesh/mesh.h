@@ -28,7 +28,7 @@ struct mesh {
     int nodes;      /* points, and turns behind them                                   */
     int vertices;   /* the points among them                                           */
     int points[2];  /* of a grid: rows of all sheets, points of a row; a mesh is one row */
-    int rows;       /* of one sheet; 0: it is no grid */
+    int rows;       /* of one sheet; 0: it is no grid                                   */
     double cell[2]; /* a_u, a_v; of a mesh the mean width of a point, twice     [m]     */
     void *room;     /* memory of the arrays                                    owned   */
     double (*uvw)[3]; /* [nodes] material parameters, w = 1/2                          */
@@ -36,21 +36,21 @@ struct mesh {
     double *area;     /* [nodes] of the sheet that is theirs                   [m^2]   */
     bool *clamped;    /* [nodes] of held columns that cannot turn                      */
     struct mesh_flat flat;  /* triangles; none of a grid without turns          owned   */
-    struct mesh_edge *edge; /*                                                  owned   */
-    int edges, (*side)[3];  /* mesh_flat.h                                       owned   */
-    double scale;   /* of turns and slopes: the mean width of a point           [m]     */
-    double size[2]; /* of the sheet                                     [m]     */
-    void *lists;    /* memory of ring and bin                           owned   */
+    struct mesh_edge *edge; /* [edges]                                          owned   */
+    int edges, (*side)[3];  /* [triangles] mesh_flat.h                          owned   */
+    double scale;   /* of turns and slopes: the mean width of a point          [m]     */
+    double size[2]; /* of the sheet                                            [m]     */
+    void *lists;    /* memory of ring and bin                                  owned   */
     int *ring_at, *ring; /* [vertices + 1] triangles around points                      */
-    int *bin_at, *bin, bins[2]; /* of the plane, to find them                           */
+    int *bin_at, *bin, bins[2]; /* triangles that reach bins of the plane, to find them */
 };
 
 /* Makes the grid of a scene; points: n, m >= 2 of a sheet. */
 enum status mesh_init(struct mesh *mesh, const struct scene *scene, const int points[2]);
 
 /* A mesh has no nodes at its edges, or turns there, which are 0 at rest, or the sheet's
- * slopes across them, at rest the direction outward from the first triangle, in lengths
- * mesh->scale. */
+ * slopes across them. A slope is at rest the direction outward from the first triangle, as
+ * long as mesh->scale. */
 enum mesh_edges { MESH_NO_NODES, MESH_TURNS, MESH_SLOPES };
 
 /* Makes the mesh that a discretization asks for, which has nodes at edges only where the
@@ -80,7 +80,8 @@ double mesh_edge_length(const struct mesh *mesh, int edge);
 /* Returns how the hat function of point j rises along the normal out of side i [1/m]. */
 double mesh_plane_rise(const struct mesh_plane *p, int i, int j);
 
-/* Returns the triangle at u, v of a mesh with triangles, and the weights of its points. */
+/* Returns the triangle at u, v of a mesh with triangles, or the nearest that its bin has,
+ * and the weights of its points; -1: the bin has none. */
 int mesh_find(const struct mesh *mesh, const double uv[2], double weight[3]);
 
 /* Returns the node di rows and dj places from (i, j), or -1 beyond the rim of its sheet. */
@@ -100,7 +101,8 @@ void mesh_weigh_edges(const struct mesh *mesh, double areal, double *mass);
 /* Marks the clamped points. */
 void mesh_clamp(struct mesh *mesh, const struct scene *scene);
 
-/* Adds the scene's loads to f[vertices][3] of a mesh with triangles. */
+/* Adds the scene's loads to f[vertices][3] of a mesh with triangles. STATUS_INPUT where one
+ * lies beside them, which the scene's reader refuses with a sentence. */
 enum status mesh_add_loads(const struct mesh *mesh, const struct scene *scene, double *f);
 
 /* Computes the scene's loads on the points, by their hat functions: *dead[nodes][3] [N],
@@ -115,7 +117,7 @@ enum status mesh_contact(const struct mesh *mesh, const struct scene *scene,
 /* Makes an order of the nodes for a factorisation, owned by the caller; NULL: any. */
 enum status mesh_order(const struct mesh *mesh, int **order);
 
-/* Makes that of a mesh with triangles: along the longer side of the sheet. */
+/* Makes it for a mesh with triangles: along the longer side of the sheet. */
 enum status mesh_order_plane(const struct mesh *mesh, int **order);
 
 /* Positions of a net: component c of node a at x[a node + c component], borrowed. */

@@ -1,6 +1,6 @@
-/* mesh_air.h - the air against a net: triangles or cells whose corners are their points of
- * integration, so that each point has its own velocity, by the normals beside it, as it has
- * its own mass. */
+/* mesh_air.h - the air against a net: triangles or cells are integrated at their corners,
+ * so that each point has its own velocity, and the normals beside it, as it has its own
+ * mass. */
 #ifndef MESH_AIR_H
 #define MESH_AIR_H
 

@@ -23,17 +23,6 @@ static const double *at(const struct mesh *mesh, int triangle, int corner)
     return mesh_flat_place(&mesh->flat, triangle, corner);
 }
 
-/* Computes the weights of a triangle's points at p. */
-static void weights(const struct mesh *mesh, int t, const double p[2], double weight[3])
-{
-    const double *a = at(mesh, t, 0), *b = at(mesh, t, 1), *c = at(mesh, t, 2);
-    const double whole = mesh_flat_left(a, b, c);
-
-    weight[0] = mesh_flat_left(p, b, c) / whole;
-    weight[1] = mesh_flat_left(a, p, c) / whole;
-    weight[2] = 1 - weight[0] - weight[1];
-}
-
 struct mesh_plane mesh_plane_of(const struct mesh *mesh, int triangle)
 {
     struct mesh_plane p;
@@ -55,11 +44,8 @@ struct mesh_plane mesh_plane_of(const struct mesh *mesh, int triangle)
 static const double *end_in(const struct mesh *mesh, int edge, int beside, int end)
 {
     const int t = mesh->edge[edge].triangle[beside], *v = mesh->flat.triangle[t];
-    int c = 0;
 
-    while (v[c] != mesh->edge[edge].node[end])
-        c++;
-    return at(mesh, t, c);
+    return at(mesh, t, mesh_flat_corner(v, mesh->edge[edge].node[end]));
 }
 
 bool mesh_edge_ends(const struct mesh *mesh, int edge)
@@ -112,23 +98,18 @@ static void visit_bins(const struct mesh *mesh, const double size[2], int t, boo
         for (int j = from[1]; j <= to[1]; j++) {
             const int b = i * mesh->bins[1] + j;
             if (fill)
-                mesh->bin[mesh->bin_at[b]++] = t;
+                mesh->bin[mesh->bin_at[b + 1]++] = t;
             else
-                mesh->bin_at[b + 1]++;
+                mesh->bin_at[b + 2]++;
         }
 }
 
+/* Turns counts of lists, two places on, into their starts one place on, which filling them
+ * moves to their ends: the starts of the next. */
 static void sum_up(int *from, int count)
 {
     for (int n = 0; n < count; n++)
         from[n + 1] += from[n];
-}
-
-/* Turns ends of lists into their starts again. */
-static void shift_back(int *from, int count)
-{
-    memmove(from + 1, from, (size_t)count * sizeof *from);
-    from[0] = 0;
 }
 
 static enum status make_lists(struct mesh *mesh, const double size[2])
@@ -145,19 +126,17 @@ static enum status make_lists(struct mesh *mesh, const double size[2])
     for (int t = 0; t < triangles; t++) {
         visit_bins(mesh, size, t, false);
         for (int c = 0; c < 3; c++)
-            mesh->ring_at[mesh->flat.triangle[t][c] + 1]++;
+            mesh->ring_at[mesh->flat.triangle[t][c] + 2]++;
     }
-    sum_up(mesh->bin_at, bins * bins);
-    sum_up(mesh->ring_at, vertices);
+    sum_up(mesh->bin_at, bins * bins + 1);
+    sum_up(mesh->ring_at, vertices + 1);
     TRY(room_cut(&mesh->lists, ROOM(mesh->ring, 3 * triangles),
-                 ROOM(mesh->bin, mesh->bin_at[bins * bins])));
+                 ROOM(mesh->bin, mesh->bin_at[bins * bins + 1])));
     for (int t = 0; t < triangles; t++) {
         visit_bins(mesh, size, t, true);
         for (int c = 0; c < 3; c++)
-            mesh->ring[mesh->ring_at[mesh->flat.triangle[t][c]]++] = t;
+            mesh->ring[mesh->ring_at[mesh->flat.triangle[t][c] + 1]++] = t;
     }
-    shift_back(mesh->bin_at, bins * bins);
-    shift_back(mesh->ring_at, vertices);
 out:
     return st;
 }
@@ -172,8 +151,7 @@ int mesh_find(const struct mesh *mesh, const double uv[2], double weight[3])
         cell[i] = (int)fmin(fmax(floor(uv[i] * mesh->bins[i]), 0), mesh->bins[i] - 1);
     const int b = cell[0] * mesh->bins[1] + cell[1];
     for (int n = mesh->bin_at[b]; n < mesh->bin_at[b + 1]; n++) {
-        weights(mesh, mesh->bin[n], p, now);
-        const double least = fmin(now[0], fmin(now[1], now[2]));
+        const double least = mesh_flat_weigh(&mesh->flat, mesh->bin[n], p, now);
         if (least <= best)
             continue;
         best = least, found = mesh->bin[n];
@@ -202,23 +180,8 @@ static void set_points(struct mesh *mesh, const struct scene *scene)
                 mesh_flat_left(at(mesh, t, 0), at(mesh, t, 1), at(mesh, t, 2)) / 6;
 }
 
-/* Computes where a way in a triangle's plane points as it starts in space. */
-static void raise(const struct mesh *mesh, int t, const double way[2], double sign,
-                  double direction[3])
-{
-    const struct mesh_plane p = mesh_plane_of(mesh, t);
-
-    for (int j = 0; j < 3; j++) {
-        const double rise =
-            -(p.out[j][0] * way[0] + p.out[j][1] * way[1]) * p.length[j] / (2 * p.area);
-        const double *x = mesh->rest + 3 * (size_t)mesh->flat.triangle[t][j];
-        for (int i = 0; i < 3; i++)
-            direction[i] += sign * rise * x[i];
-    }
-}
-
-/* Computes the slope across an edge where the sheet starts in space: the mean of those of
- * both triangles. */
+/* Adds the slope across an edge where the sheet starts in space: the mean of those of both
+ * triangles. */
 static void slope_in_space(const struct mesh *mesh, const struct mesh_edge *e,
                            double slope[3])
 {
@@ -226,11 +189,12 @@ static void slope_in_space(const struct mesh *mesh, const struct mesh_edge *e,
 
     for (int s = 0; s < sides; s++) {
         const int t = e->triangle[s], *v = mesh->flat.triangle[t];
-        int c = 0;
-        while (v[c] != e->node[2 + s])
-            c++;
-        raise(mesh, t, mesh_plane_of(mesh, t).out[c], (s ? -1 : 1) * mesh->scale / sides,
-              slope);
+        const int c = mesh_flat_corner(v, e->node[2 + s]);
+        const struct mesh_plane p = mesh_plane_of(mesh, t);
+        for (int n = 0; n < 9; n++)
+            slope[n % 3] += (s ? -1 : 1) * mesh->scale / sides *
+                            mesh_plane_rise(&p, c, n / 3) *
+                            mesh->rest[3 * (size_t)v[n / 3] + (size_t)(n % 3)];
     }
 }
 
@@ -362,25 +326,24 @@ enum status mesh_order_plane(const struct mesh *mesh, int **order)
 {
     const int i = mesh->size[0] >= mesh->size[1] ? 0 : 1;
     struct place *place = malloc((size_t)mesh->nodes * sizeof *place);
+    enum status st = STATUS_OK;
 
     *order = malloc((size_t)mesh->nodes * sizeof **order);
-    for (int a = 0; place && *order && a < mesh->nodes; a++) {
+    TRY(place && *order ? STATUS_OK : STATUS_MEMORY);
+    for (int a = 0; a < mesh->nodes; a++) {
         const int *end = a < mesh->vertices ? NULL : mesh->edge[a - mesh->vertices].node;
         place[a].node = a;
         place[a].along = end ? (mesh->flat.at[end[0]][i] + mesh->flat.at[end[1]][i]) / 2
                              : mesh->flat.at[a][i];
     }
-    if (!place || !*order) {
-        free(place);
-        free(*order);
-        *order = NULL;
-        return STATUS_MEMORY;
-    }
     qsort(place, (size_t)mesh->nodes, sizeof *place, compare);
     for (int k = 0; k < mesh->nodes; k++)
         (*order)[k] = place[k].node;
+out:
     free(place);
-    return STATUS_OK;
+    if (st != STATUS_OK)
+        free(*order), *order = NULL;
+    return st;
 }
 
 /* --- loads ------------------------------------------------------------------------------
@@ -434,7 +397,7 @@ static void add_integrals(const struct mesh *mesh, int t, const double lo[2],
         const double part = mesh_flat_left(p.at[0], p.at[n + 1], p.at[n + 2]) / 2;
         for (int i = 0; i < 2; i++)
             middle[i] = (p.at[0][i] + p.at[n + 1][i] + p.at[n + 2][i]) / 3;
-        weights(mesh, t, middle, w);
+        mesh_flat_weigh(&mesh->flat, t, middle, w);
         for (int c = 0; c < 3; c++)
             share[mesh->flat.triangle[t][c]] += part * w[c];
     }
@@ -454,13 +417,14 @@ static void add_integrals(const struct mesh *mesh, int t, const double lo[2],
     if (!(end[1] > end[0]))
         return;
     middle[across] = lo[across], middle[1 - across] = (end[0] + end[1]) / 2;
-    weights(mesh, t, middle, w);
+    mesh_flat_weigh(&mesh->flat, t, middle, w);
     for (int c = 0; c < 3; c++)
         share[mesh->flat.triangle[t][c]] += (end[1] - end[0]) * w[c];
 }
 
-/* Adds a load's force, shared by its integrals of the hat functions. */
-static void add_load(const struct mesh *mesh, const struct scene_load *load, double *share,
+/* Adds a load's force, shared by its integrals of the hat functions; false: it lies beside
+ * the sheet. */
+static bool add_load(const struct mesh *mesh, const struct scene_load *load, double *share,
                      double *f)
 {
     double lo[2], hi[2], sum = 0, w[3];
@@ -474,7 +438,8 @@ static void add_load(const struct mesh *mesh, const struct scene_load *load, dou
     }
     if (hi[0] <= lo[0] && hi[1] <= lo[1]) {
         const int t = mesh_find(mesh, load->lo, w);
-        for (int c = 0; c < 3; c++)
+        const bool within = t >= 0 && fmin(w[0], fmin(w[1], w[2])) >= -BESIDE;
+        for (int c = 0; within && c < 3; c++)
             share[mesh->flat.triangle[t][c]] = w[c];
     } else {
         for (int t = 0; t < mesh->flat.triangles; t++)
@@ -482,18 +447,19 @@ static void add_load(const struct mesh *mesh, const struct scene_load *load, dou
     }
     for (int a = 0; a < mesh->vertices; a++)
         sum += share[a];
-    for (int n = 0; n < 3 * mesh->vertices; n++)
+    for (int n = 0; sum > 0 && n < 3 * mesh->vertices; n++)
         f[n] += share[n / 3] / sum * load->force[n % 3];
+    return sum > 0;
 }
 
 enum status mesh_add_loads(const struct mesh *mesh, const struct scene *scene, double *f)
 {
     double *share = malloc((size_t)mesh->vertices * sizeof *share);
 
-    if (!share)
-        return STATUS_MEMORY;
-    for (int n = 0; n < scene->load_count; n++)
-        add_load(mesh, &scene->loads[n], share, f);
+    enum status st = share ? STATUS_OK : STATUS_MEMORY;
+
+    for (int n = 0; st == STATUS_OK && n < scene->load_count; n++)
+        st = add_load(mesh, &scene->loads[n], share, f) ? STATUS_OK : STATUS_INPUT;
     free(share);
-    return STATUS_OK;
+    return st;
 }

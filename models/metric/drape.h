@@ -1,5 +1,5 @@
-/* drape.h - what Cusick's drape test (ISO 9073-9) reads off a disc that hangs over a round
- * holder: off the shadow that it casts along gravity. For fields as metric.h has them.
+/* drape.h - what Cusick's drape test (ISO 9073-9) reads off the shadow that a disc which
+ * hangs over a round holder casts along gravity. Fields are as metric.h has them.
  *
  * The disc is a closed cloak with a flare of 90 degrees (scene.h), the holder the circle of
  * its edge u = 0; or it is a flat mesh with a round border, of which the only support holds

@@ -15,14 +15,13 @@ const char *net_mesh_lacks(const struct scene *scene, const struct discretizatio
 {
     return scene->pattern && d->mesh && strcmp(d->mesh, "irregular")
                ? "mesh: a sheet with an outline has its own, or one that is made anew from "
-                 "the "
-                 "outline, mesh=irregular"
+                 "the outline, mesh=irregular"
            : mesh_is_grid(scene, d) ? ""
            : scene_sheets(scene) > 1 || scene->shape != SCENE_FLAT
                ? "a mesh: of one flat sheet only"
            : springs && scene->is_fabric ? "springs of a mesh: of an isotropic sheet only; "
-                                           "with springs along edges in "
-                                           "any direction no rule is known for a fabric's"
+                                           "with springs along edges in any direction no "
+                                           "rule is known for a fabric's"
            : d->parameters == PARAMETERS_PAPER
                ? "parameters=paper: of a grid only, which is what they are printed for"
                : "";

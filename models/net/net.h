@@ -22,7 +22,7 @@ struct net {
     double *drag;   /* [nodes] force against velocity, mass damping in it     [N s/m]  */
     double *load;   /* [nodes][3] gravity, wind and loads                     [N]      */
     int *order;     /* of a mesh's nodes, for a march's factors, or NULL       owned   */
-    double *dead;   /* [nodes][3] of which the scene's loads, or NULL  [N]     owned   */
+    double *dead;   /* [nodes][3] the scene's loads in it, or NULL     [N]     owned   */
     double *x, *v;  /* [nodes][3] of now                                      [m, m/s] */
     double *shift;  /* [held_count] work                                      [m]      */
     struct air air; /* of sweeps; density 0: none                                */
@@ -47,9 +47,8 @@ struct net_refusal {
     const char *sentence; /* NULL ends a table */
 };
 
-/* Returns what a model whose springs or constraints serve meshes, but no more of them than
- * that, cannot do on one that is no grid; "": nothing. `springs`: of edges (spring_net.h).
- */
+/* Returns what models of springs (spring_net.h has those of edges) or of constraints cannot
+ * do on a mesh that is no grid; "" if there is nothing. */
 const char *net_mesh_lacks(const struct scene *scene, const struct discretization *d,
                            bool springs);
 
@@ -71,8 +70,8 @@ enum status net_meet(struct net *net);
 /* Makes the air of a net that is swept, if the scene has any. */
 enum status net_make_air(struct net *net);
 
-/* Puts its force in a step of dt from time t [s], shape x and velocities v, into net->load
- * (air_ahead). */
+/* Puts the air's force in a step of dt from time t [s], of shape x and velocities v, into
+ * net->load (air_ahead). */
 void net_blow(struct net *net, double t, double dt, const double *x, const double *v);
 
 /* Moves held points of net->x to where they are at time t. */
@@ -87,8 +86,8 @@ void net_arrive(const struct net *net, int iterations, int most, double dt,
 enum status net_march(struct net *net, struct march *m, const struct discretization *d,
                       struct message *why);
 
-/* Computes kinetic and potential energy at net->x, of v; leaves the elastic one. Of a net
- * that a march moves, all of them. */
+/* Compute the energy at net->x: kinetic and potential of v, without the elastic one, which
+ * stays; all of a net that a march moves. */
 void net_energy(const struct net *net, const double *v, struct energy *energy);
 void net_march_energy(const struct net *net, const struct march *m, struct energy *energy);
 
@@ -98,7 +97,8 @@ void net_march_energy(const struct net *net, const struct march *m, struct energ
 void net_weigh(const struct net *net, double t, double dt, double *slope, double *shift,
                double (*support)[6]);
 
-/* Fills model.h's forces, of a net that no march moves: does so, and tells the bodies'. */
+/* Fills in the forces that model.h asks for, of supports and bodies, where no march moves
+ * the net. */
 void net_forces(struct net *net, double t, double dt, double *slope, double (*support)[6],
                 double (*body)[6]);
 

@@ -44,7 +44,7 @@ static enum status take_numbers(const struct reading *r, char *text, int count, 
     for (int i = 0; i < count; i++) {
         char *end = text;
         x[i] = strtod(text, &end);
-        if (end == text || !isfinite(x[i]))
+        if (end == text || !strchr(BLANKS, *end) || !isfinite(x[i]))
             return yaml_tree_refuse(
                 &r->line, why, "%s",
                 count == 3 ? "a vertex needs three numbers, as in `v .5 .25 0`"

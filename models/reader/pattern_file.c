@@ -6,6 +6,7 @@
 
 #include "models/reader/obj_file.h"
 #include "models/reader/yaml_tree.h"
+#include "models/room.h"
 
 /* The share of length and width by which numbers of a file may be off; a triangle is as
  * high as that share of its longest side, or its shape is not known. */
@@ -21,27 +22,34 @@ struct reading {
     struct yaml_tree line; /* to blame                                                 */
     const double *side;    /* of the rectangle; NULL: any outline                [m]   */
     struct obj_file obj;   /*                                                      owned */
+    int *node;   /* [vertices] the first place of each `v`, -1: no face names it   owned */
     int *of;     /* [points] the `v` of each place in the plane                    owned */
     int *next;   /* [points] another place of that, -1: none                       owned */
     int *root;   /* [vertices] the first that it is sewn to, itself if none        owned */
     bool raised; /* points have several places, or start elsewhere                       */
 };
 
-/* Finds where a corner is in the plane; false if it is not in the rectangle. What is near
- * the rim lies on it. */
+/* Returns what a sentence blames: the face of a triangle, or the whole file if it is -1. */
+static const struct yaml_tree *face(struct reading *r, int triangle)
+{
+    r->line.line = triangle < 0 ? -1 : r->obj.corner[3 * triangle].line;
+    return &r->line;
+}
+
+/* Finds where a corner is in the plane; false if it is not in the rectangle, or too far
+ * away there or in space. What is near the rim lies on it. */
 static bool place_of(const struct reading *r, const struct obj_file_corner *corner,
                      double at[2])
 {
     const double *side = r->side, *v = r->obj.vertex[corner->v].at;
     const double *vt = corner->vt < 0 ? NULL : r->obj.texture[corner->vt];
-    bool inside = true;
+    bool inside = side || fmax(fabs(v[0]), fmax(fabs(v[1]), fabs(v[2]))) <= FARTHEST;
 
     for (int i = 0; i < 2; i++) {
         at[i] = !vt ? v[i] : side ? vt[i] * side[i] : vt[i];
-        if (!side) {
-            inside &= fabs(at[i]) <= FARTHEST;
+        inside &= fabs(at[i]) <= FARTHEST;
+        if (!side)
             continue;
-        }
         if (fabs(at[i]) <= NEAR * side[i])
             at[i] = 0;
         if (fabs(at[i] - side[i]) <= NEAR * side[i])
@@ -66,65 +74,72 @@ static bool is_at(const struct reading *r, const double known[2], const double a
            fabs(known[1] - at[1]) <= NEAR * (r->side ? r->side[1] : 1);
 }
 
-/* Finds the place of a corner among those of its `v`; of a rectangle there is one. */
-static enum status add_corner(struct reading *r, struct mesh_flat *flat, int *node,
-                              const struct obj_file_corner *corner, int *into,
-                              struct message *why)
+/* Finds the place of a triangle's corner among those of its `v`; of a rectangle there is
+ * one. */
+static enum status add_corner(struct reading *r, struct mesh_flat *flat, int triangle,
+                              int c, struct message *why)
 {
+    const struct obj_file_corner *corner = &r->obj.corner[3 * triangle + c];
+    int at_node = r->node[corner->v];
     double at[2];
 
-    r->line.line = corner->line;
     r->raised |= !r->side && !starts_flat(r, corner);
-    const bool inside = place_of(r, corner, at);
-    if (!inside && !r->side)
-        return yaml_tree_refuse(&r->line, why,
-                                "the point at %g, %g m is farther than %g m from 0; nearer "
-                                "would be right",
-                                at[0], at[1], FARTHEST);
-    if (!inside)
-        return yaml_tree_refuse(
-            &r->line, why,
-            "the point at %g, %g m is not on the sheet of %g by %g m; vt from 0 to 1, or x "
-            "and y in metres from a corner, would be right",
-            at[0], at[1], r->side[0], r->side[1]);
-    *into = node[corner->v];
-    if (isnan(flat->at[*into][0]))
-        memcpy(flat->at[*into], at, sizeof at);
-    while (!is_at(r, flat->at[*into], at) && r->next[*into] >= 0)
-        *into = r->next[*into];
-    const double *known = flat->at[*into];
-    if (is_at(r, known, at))
-        return STATUS_OK;
-    if (r->side)
-        return yaml_tree_refuse(
-            &r->line, why,
-            "`v` %d has two places on the sheet, %g, %g and %g, %g m; one "
-            "`vt` for each `v` would be right",
-            corner->v + 1, known[0], known[1], at[0], at[1]);
-    r->next[*into] = flat->nodes, r->next[flat->nodes] = -1;
-    r->of[flat->nodes] = corner->v, r->raised = true;
-    *into = flat->nodes++;
-    memcpy(flat->at[*into], at, sizeof at);
+    if (!place_of(r, corner, at))
+        return r->side
+                   ? yaml_tree_refuse(
+                         face(r, triangle), why,
+                         "the point at %g, %g m is not on the sheet of %g by %g m; vt from "
+                         "0 to 1, or x and y in metres from a corner, would be right",
+                         at[0], at[1], r->side[0], r->side[1])
+                   : yaml_tree_refuse(face(r, triangle), why,
+                                      "`v` %d is farther than %g m from 0, or its place in "
+                                      "the plane is; nearer would be right",
+                                      corner->v + 1, FARTHEST);
+    if (isnan(flat->at[at_node][0]))
+        memcpy(flat->at[at_node], at, sizeof at);
+    while (!is_at(r, flat->at[at_node], at) && r->next[at_node] >= 0)
+        at_node = r->next[at_node];
+    if (!is_at(r, flat->at[at_node], at)) {
+        const double *known = flat->at[at_node];
+        if (r->side)
+            return yaml_tree_refuse(
+                face(r, triangle), why,
+                "`v` %d has two places on the sheet, %g, %g and %g, %g m; one "
+                "`vt` for each `v` would be right",
+                corner->v + 1, known[0], known[1], at[0], at[1]);
+        r->next[at_node] = flat->nodes, r->next[flat->nodes] = -1;
+        r->of[flat->nodes] = corner->v, r->raised = true;
+        at_node = flat->nodes++;
+        memcpy(flat->at[at_node], at, sizeof at);
+    }
+    flat->triangle[triangle][c] = at_node;
     return STATUS_OK;
 }
 
-static enum status add_triangle(struct reading *r, struct mesh_flat *flat, int *node,
-                                const struct obj_file_corner corner[3], struct message *why)
+static enum status add_triangle(struct reading *r, struct mesh_flat *flat,
+                                struct message *why)
 {
+    const int t = flat->triangles++;
+    int *v = flat->triangle[t];
+    const struct obj_file_corner *corner = &r->obj.corner[3 * t];
     double longest = 0;
-    int *v = flat->triangle[flat->triangles++];
     enum status st;
 
+    if ((corner[0].vt < 0) != (corner[1].vt < 0) ||
+        (corner[0].vt < 0) != (corner[2].vt < 0))
+        return yaml_tree_refuse(face(r, t), why,
+                                "a face names `vt` at some of its corners; at all or at "
+                                "none would be right");
     for (int c = 0; c < 3; c++)
-        TRY(add_corner(r, flat, node, corner + c, &v[c], why));
-    const double(*at)[2] = (const double(*)[2])flat->at;
-    const double area = mesh_flat_left(at[v[0]], at[v[1]], at[v[2]]);
-    for (int c = 0; c < 3; c++)
-        longest = fmax(longest, hypot(at[v[c]][0] - at[v[(c + 1) % 3]][0],
-                                      at[v[c]][1] - at[v[(c + 1) % 3]][1]));
+        TRY(add_corner(r, flat, t, c, why));
+    const double area = mesh_flat_area2(flat, v[0], v[1], v[2]);
+    for (int c = 0; c < 3; c++) {
+        const double *a = flat->at[v[c]], *b = flat->at[v[(c + 1) % 3]];
+        longest = fmax(longest, hypot(a[0] - b[0], a[1] - b[1]));
+    }
     if (!(fabs(area) > NEAR * longest * longest))
         return yaml_tree_refuse(
-            &r->line, why,
+            face(r, t), why,
             "a triangle without area, or 100,000 times as long as wide; "
             "one that its `vt` (or x, y) span would be right");
     if (area < 0) {
@@ -145,111 +160,113 @@ static bool on_rim(const struct mesh_flat *flat, const double side[2],
            (a[0] == side[0] && b[0] == side[0]) || (a[1] == side[1] && b[1] == side[1]);
 }
 
+static enum status find_edges(struct reading *r, const struct mesh_flat *flat,
+                              struct mesh_edge **edge, int *count, struct message *why)
+{
+    const enum status st = mesh_flat_edges(flat, edge, count, NULL);
+
+    return st == STATUS_INPUT
+               ? yaml_tree_refuse(face(r, *count), why,
+                                  "three triangles meet at an edge or a seam; two at most "
+                                  "would be right")
+               : st;
+}
+
 /* Refuses what is not the whole rectangle, once, or what lies on itself. */
 static enum status check(struct reading *r, const struct mesh_flat *flat,
                          struct message *why)
 {
-    struct mesh_edge *edge = NULL;
-    int count, (*side)[3] = NULL;
-    const struct obj_file_corner *corner = r->obj.corner;
+    struct mesh_edge *edge;
+    int count;
     double area = 0;
-    enum status st = mesh_flat_edges(flat, &edge, &count, &side);
+    enum status st;
 
-    if (st == STATUS_INPUT) {
-        r->line.line = corner[3 * count].line;
-        yaml_tree_refuse(&r->line, why,
-                         "three triangles meet at an edge; two at most would be right");
+    TRY(find_edges(r, flat, &edge, &count, why));
+    for (const struct mesh_edge *e = edge; e < edge + count; e++) {
+        const double *a = flat->at[e->node[0]], *b = flat->at[e->node[1]];
+        const double x = (a[0] + b[0]) / 2, y = (a[1] + b[1]) / 2;
+        if (e->node[3] >= 0) {
+            if (!(mesh_flat_left(a, b, flat->at[e->node[3]]) < 0))
+                TRY(yaml_tree_refuse(face(r, e->triangle[1]), why,
+                                     "two triangles lie on the same side of the edge they "
+                                     "share at %g, %g m; one on each would be right",
+                                     x, y));
+        } else if (r->side && !on_rim(flat, r->side, e)) {
+            TRY(yaml_tree_refuse(face(r, e->triangle[0]), why,
+                                 "the triangles end at %g, %g m, inside the sheet; "
+                                 "triangles that cover the whole rectangle would be right",
+                                 x, y));
+        }
     }
-    for (int e = 0; st == STATUS_OK && e < count; e++) {
-        const double *a = flat->at[edge[e].node[0]], *b = flat->at[edge[e].node[1]];
-        const bool inner = edge[e].node[3] >= 0;
-        if (inner ? mesh_flat_left(a, b, flat->at[edge[e].node[3]]) < 0
-                  : !r->side || on_rim(flat, r->side, &edge[e]))
-            continue;
-        r->line.line = corner[3 * edge[e].triangle[inner]].line;
-        st = inner ? yaml_tree_refuse(&r->line, why,
-                                      "two triangles lie on the same side of the edge they "
-                                      "share at %g, %g m; one on each would be right",
-                                      (a[0] + b[0]) / 2, (a[1] + b[1]) / 2)
-                   : yaml_tree_refuse(
-                         &r->line, why,
-                         "the triangles end at %g, %g m, inside the sheet; triangles "
-                         "that cover the whole rectangle would be right",
-                         (a[0] + b[0]) / 2, (a[1] + b[1]) / 2);
-    }
-    for (int t = 0; t < flat->triangles; t++) {
+    for (int t = 0; r->side && t < flat->triangles; t++) {
         const int *v = flat->triangle[t];
-        area += mesh_flat_left(flat->at[v[0]], flat->at[v[1]], flat->at[v[2]]) / 2;
+        area += mesh_flat_area2(flat, v[0], v[1], v[2]) / 2;
     }
-    const double whole = r->side ? r->side[0] * r->side[1] : area;
-    r->line.line = -1;
-    if (st == STATUS_OK && fabs(area - whole) > NEAR * whole)
-        st = yaml_tree_refuse(&r->line, why,
+    const double whole = r->side ? r->side[0] * r->side[1] : 0;
+    if (fabs(area - whole) > NEAR * whole)
+        st = yaml_tree_refuse(face(r, -1), why,
                               "the triangles have %.6g m^2 together, and the sheet %.6g; "
                               "triangles that do not overlap would be right",
                               area, whole);
+out:
     free(edge);
-    free(side);
     return st;
 }
 
 static enum status make(struct reading *r, struct mesh_flat *flat, struct message *why)
 {
-    const int triangles = r->obj.corners / 3;
-    const size_t most = (size_t)r->obj.vertices + (size_t)r->obj.corners + 1;
-    int *node = malloc(((size_t)r->obj.vertices + 1) * sizeof *node);
-    enum status st = STATUS_MEMORY;
+    const size_t corners = (size_t)r->obj.corners, vertices = (size_t)r->obj.vertices;
+    enum status st;
 
-    flat->at = malloc(most * sizeof *flat->at);
-    flat->triangle = malloc(((size_t)triangles + 1) * sizeof *flat->triangle);
-    r->of = malloc(most * sizeof *r->of);
-    r->next = malloc(most * sizeof *r->next);
-    if (!node || !flat->at || !flat->triangle || !r->of || !r->next)
-        goto out;
-    for (int n = 0; n < r->obj.vertices; n++)
-        node[n] = -1;
-    for (int n = 0; n < r->obj.corners; n++)
-        node[r->obj.corner[n].v] = 0;
-    for (int n = 0; n < r->obj.vertices; n++) /* those of faces, in the file's order */
-        if (node[n] == 0)
-            flat->at[flat->nodes][0] = NAN, r->of[flat->nodes] = n,
-            r->next[flat->nodes] = -1, node[n] = flat->nodes++;
-    r->line.line = -1;
-    if (!triangles)
-        TRY(yaml_tree_refuse(&r->line, why, "no faces, as in `f 1 2 3`"));
-    for (int t = 0; t < triangles; t++)
-        TRY(add_triangle(r, flat, node, r->obj.corner + 3 * t, why));
-    TRY(check(r, flat, why));
+    if (!corners)
+        return yaml_tree_refuse(face(r, -1), why, "no faces, as in `f 1 2 3`");
+    TRY(mesh_flat_make(flat, r->obj.corners, r->obj.corners / 3));
+    r->node = malloc(vertices * sizeof *r->node);
+    r->of = malloc(corners * sizeof *r->of);
+    r->next = malloc(corners * sizeof *r->next);
+    TRY(r->node && r->of && r->next ? STATUS_OK : STATUS_MEMORY);
+    memset(r->node, -1, vertices * sizeof *r->node);
+    for (size_t n = 0; n < corners; n++)
+        r->node[r->obj.corner[n].v] = 0;
+    for (size_t v = 0; v < vertices; v++) { /* those of faces, in the file's order */
+        if (r->node[v] < 0)
+            continue;
+        flat->at[flat->nodes][0] = NAN, r->of[flat->nodes] = (int)v;
+        r->next[flat->nodes] = -1, r->node[v] = flat->nodes++;
+    }
+    while (flat->triangles < r->obj.corners / 3)
+        TRY(add_triangle(r, flat, why));
+    st = check(r, flat, why);
 out:
-    free(node);
     return st;
+}
+
+static enum status refuse_point(struct reading *r, int triangle, struct message *why)
+{
+    return yaml_tree_refuse(face(r, triangle), why,
+                            "pieces of the sheet meet in a point of this triangle; pieces "
+                            "that share edges, or seams along edges, would be right");
 }
 
 /* Says where the triangles meet in a point only, or what is wrong with their outline. */
 static enum status refuse_outline(struct reading *r, int triangle, const struct pattern *p,
                                   const struct pattern_blame *blame, struct message *why)
 {
-    if (triangle >= 0) {
-        r->line.line = r->obj.corner[3 * triangle].line;
-        return yaml_tree_refuse(
-            &r->line, why,
-            "pieces of the sheet meet in a point of this triangle; pieces "
-            "that share edges would be right");
-    }
+    if (triangle >= 0)
+        return refuse_point(r, triangle, why);
     const double *at = p->at[p->line[blame->line] + blame->point];
-    r->line.line = -1;
     return blame->fault == PATTERN_OUTSIDE
-               ? yaml_tree_refuse(&r->line, why,
+               ? yaml_tree_refuse(face(r, -1), why,
                                   "the panel at %g, %g m lies on another one; panels side "
                                   "by side in the plane would be right",
                                   at[0], at[1])
            : blame->fault == PATTERN_CROSSING
                ? yaml_tree_refuse(
-                     &r->line, why,
+                     face(r, -1), why,
                      "the sheet's edge meets itself at %g, %g m; a pattern that "
                      "lies flat without folds would be right",
                      at[0], at[1])
-               : yaml_tree_refuse(&r->line, why,
+               : yaml_tree_refuse(face(r, -1), why,
                                   "the triangles are two pieces that nothing joins, one at "
                                   "%g, %g m; one piece would be right",
                                   at[0], at[1]);
@@ -272,6 +289,7 @@ static enum status hand_over(struct reading *r, struct pattern *p)
 static void clear(struct reading *r)
 {
     obj_file_clear(&r->obj);
+    free(r->node);
     free(r->of);
     free(r->next);
     free(r->root);
@@ -306,18 +324,20 @@ static int root_of(const struct reading *r, int v)
 static enum status join(struct reading *r, int pairs, const int (*pair)[2],
                         struct message *why)
 {
-    r->root = malloc(((size_t)r->obj.vertices + 1) * sizeof *r->root);
+    r->root = malloc((size_t)r->obj.vertices * sizeof *r->root);
     if (!r->root)
         return STATUS_MEMORY;
-    for (int n = 0; n < r->obj.vertices; n++)
-        r->root[n] = n;
+    for (int v = 0; v < r->obj.vertices; v++)
+        r->root[v] = v;
+    for (int n = 0; n < 2 * pairs; n++) {
+        const int v = pair[n / 2][n % 2];
+        if (v >= r->obj.vertices || r->node[v] < 0)
+            return yaml_tree_refuse(face(r, -1), why,
+                                    "a seam joins `v` %d, which no face names; corners of "
+                                    "faces would be right",
+                                    v + 1);
+    }
     for (int n = 0; n < pairs; n++) {
-        const int most = pair[n][0] > pair[n][1] ? pair[n][0] : pair[n][1];
-        if (most >= r->obj.vertices) {
-            r->line.line = -1;
-            return yaml_tree_refuse(&r->line, why, "a seam joins `v` %d, but there are %d",
-                                    most + 1, r->obj.vertices);
-        }
         const int a = root_of(r, pair[n][0]), b = root_of(r, pair[n][1]);
         r->root[a > b ? a : b] = a > b ? b : a;
     }
@@ -328,37 +348,29 @@ static enum status join(struct reading *r, int pairs, const int (*pair)[2],
 /* Numbers what is sewn together, in the file's order; it starts at the mean place. */
 static enum status sew(struct reading *r, int points, struct pattern *p)
 {
-    const size_t vertices = (size_t)r->obj.vertices + 1;
-    int *number = malloc(vertices * sizeof *number),
-        *count = calloc(vertices, sizeof *count);
-    bool *named = calloc(vertices, sizeof *named);
-    enum status st = STATUS_MEMORY;
+    const int vertices = r->obj.vertices;
+    int *number, *count;
+    void *room = NULL;
+    enum status st;
 
-    p->node = malloc(((size_t)points + 1) * sizeof *p->node);
-    p->start = calloc((size_t)points + 1, sizeof *p->start);
-    if (!number || !count || !named || !p->node || !p->start)
-        goto out;
-    for (int n = 0; n < points; n++)
-        named[r->of[n]] = true;
-    for (int v = 0; v < r->obj.vertices; v++)
-        number[v] = -1;
-    for (int v = 0; v < r->obj.vertices; v++) {
-        int *its = &number[root_of(r, v)];
-        if (!named[v])
+    TRY(room_cut(&room, ROOM(number, vertices), ROOM(count, vertices)));
+    p->node = malloc((size_t)points * sizeof *p->node);
+    p->start = calloc((size_t)points, sizeof *p->start);
+    TRY(p->node && p->start ? STATUS_OK : STATUS_MEMORY);
+    for (int v = 0; v < vertices; v++) {
+        const int root = root_of(r, v); /* the first of what is sewn */
+        if (r->node[v] < 0)
             continue;
-        if (*its < 0)
-            *its = p->nodes++;
-        count[*its]++;
+        number[v] = root == v ? p->nodes++ : number[root];
+        double *start = p->start[number[v]];
+        count[number[v]]++;
         for (int i = 0; i < 3; i++) /* the mean so far */
-            p->start[*its][i] += (r->obj.vertex[v].at[i] - p->start[*its][i]) / count[*its];
+            start[i] += (r->obj.vertex[v].at[i] - start[i]) / count[number[v]];
     }
     for (int n = 0; n < points; n++)
-        p->node[n] = number[root_of(r, r->of[n])];
-    st = STATUS_OK;
+        p->node[n] = number[r->of[n]];
 out:
-    free(number);
-    free(count);
-    free(named);
+    free(room);
     return st;
 }
 
@@ -368,13 +380,11 @@ static enum status check_edge(struct reading *r, const struct pattern *p,
                               struct message *why)
 {
     double length[2], mean[2] = {0};
-    bool same = false;
+    bool same = false; /* the order of its ends in both */
 
     for (int s = 0; s < 2; s++) {
         const int t = e->triangle[s], *v = sewn->triangle[t];
-        int c = 0;
-        while (v[c] != e->node[2 + s])
-            c++;
+        const int c = mesh_flat_corner(v, e->node[2 + s]);
         const int b = (c + 1) % 3, d = (c + 2) % 3;
         const double *from = mesh_flat_place(sewn, t, b), *to = mesh_flat_place(sewn, t, d);
         length[s] = hypot(to[0] - from[0], to[1] - from[1]);
@@ -382,72 +392,56 @@ static enum status check_edge(struct reading *r, const struct pattern *p,
         for (int i = 0; i < 2; i++)
             mean[i] += (from[i] + to[i]) / 4 + p->corner[i] / 2;
     }
-    r->line.line = r->obj.corner[3 * e->triangle[1]].line;
     if (same)
         return yaml_tree_refuse(
-            &r->line, why,
+            face(r, e->triangle[1]), why,
             "this triangle and its neighbour at %g, %g m have their faces on opposite "
             "sides: one panel lies upside down in the plane, or the seams make a Moebius "
             "strip; the panel's `vt` mirrored would be right",
             mean[0], mean[1]);
     if (fabs(length[0] - length[1]) > UNEQUAL * fmax(length[0], length[1]))
-        return yaml_tree_refuse(&r->line, why,
+        return yaml_tree_refuse(face(r, e->triangle[1]), why,
                                 "a seam joins this triangle's edge of %g m to one of %g m; "
                                 "equal lengths, to %g %%, would be right",
                                 length[1], length[0], 100 * UNEQUAL);
     return STATUS_OK;
 }
 
-/* Refuses pieces that nothing joins. */
-static enum status check_pieces(struct reading *r, const struct mesh_flat *sewn,
-                                struct message *why)
-{
-    int *piece = malloc(((size_t)sewn->nodes + 1) * sizeof *piece), other = -1;
-
-    if (!piece)
-        return STATUS_MEMORY;
-    mesh_flat_pieces(sewn, piece);
-    for (int t = 0; t < sewn->triangles && other < 0; t++)
-        other = piece[sewn->triangle[t][0]] ? t : -1;
-    free(piece);
-    if (other < 0)
-        return STATUS_OK;
-    r->line.line = r->obj.corner[3 * other].line;
-    return yaml_tree_refuse(&r->line, why,
-                            "nothing joins this panel to the first; a seam, or points that "
-                            "both name, would be right");
-}
-
+/* Refuses what sewing makes no surface, or several. */
 static enum status check_sewn(struct reading *r, const struct pattern *p,
                               struct message *why)
 {
     struct mesh_flat sewn = {0};
     struct mesh_edge *edge = NULL;
-    int edges = 0, (*side)[3] = NULL;
-    enum status st = pattern_sewn(p, &sewn);
+    int edges, *work = NULL;
+    enum status st;
 
-    TRY(st);
+    TRY(pattern_sewn(p, &sewn));
     for (int t = 0; t < sewn.triangles; t++) {
         const int *v = sewn.triangle[t];
-        r->line.line = r->obj.corner[3 * t].line;
         if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0])
-            TRY(yaml_tree_refuse(&r->line, why,
-                                 "a seam joins two points of this triangle"));
+            TRY(yaml_tree_refuse(face(r, t), why,
+                                 "a seam joins two points of this triangle; points of "
+                                 "different triangles would be right"));
     }
-    st = mesh_flat_edges(&sewn, &edge, &edges, &side);
-    if (st == STATUS_INPUT) {
-        r->line.line = r->obj.corner[3 * edges].line;
-        yaml_tree_refuse(&r->line, why,
-                         "three triangles meet at a seam; two would be right");
-    }
-    for (int n = 0; st == STATUS_OK && n < edges; n++)
+    TRY(find_edges(r, &sewn, &edge, &edges, why));
+    for (int n = 0; n < edges; n++)
         if (edge[n].triangle[1] >= 0)
-            st = check_edge(r, p, &sewn, &edge[n], why);
-    if (st == STATUS_OK)
-        st = check_pieces(r, &sewn, why);
+            TRY(check_edge(r, p, &sewn, &edge[n], why));
+    work = malloc((size_t)sewn.nodes * sizeof *work);
+    TRY(work ? STATUS_OK : STATUS_MEMORY);
+    mesh_flat_pieces(&sewn, work);
+    for (int t = 0; t < sewn.triangles; t++)
+        if (work[sewn.triangle[t][0]])
+            TRY(yaml_tree_refuse(face(r, t), why,
+                                 "nothing joins this panel to the first; a seam, or points "
+                                 "that both name, would be right"));
+    const int triangle = mesh_flat_rim(&sewn, edge, edges, work);
+    if (triangle >= 0)
+        st = refuse_point(r, triangle, why);
 out:
+    free(work);
     free(edge);
-    free(side);
     mesh_flat_clear(&sewn);
     return st;
 }

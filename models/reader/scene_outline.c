@@ -37,6 +37,10 @@ const struct schema_key scene_outline_keys[] = {
     {NULL}};
 /* clang-format on */
 
+/* So many times as long as wide an outline may be: its border has as many points as edges
+ * of even triangles fit in. */
+static const double SLENDER = 1e4;
+
 /* Adds a closed line of rows [x, y] to a pattern. */
 static enum status add_line(const struct yaml_tree *node, struct pattern *p,
                             struct message *why)
@@ -73,14 +77,15 @@ static enum status refuse_lines(const struct yaml_tree *outline,
     static const char *const sentence[] = {
         [PATTERN_FEW] = "has less than three points",
         [PATTERN_DOUBLE] =
-            "has a point twice; each once, without the first again at the end, "
-            "would be right",
+            "has a point twice; each once, without the first again at the end, would be "
+            "right",
         [PATTERN_CROSSING] =
-            "has a side that meets another one; sides that meet at their ends "
-            "only would be right",
+            "has a side that meets another one; sides that meet at their ends only would "
+            "be right",
         [PATTERN_PIECES] = "has no area",
         [PATTERN_OUTSIDE] =
-            "is a hole that is not inside the outline, or is in another hole"};
+            "is a hole that is not inside the outline, or is in another hole; holes beside "
+            "each other inside it would be right"};
     const struct yaml_tree *line = outline, *row;
 
     for (int n = 0; n < blame->line; n++)
@@ -112,6 +117,12 @@ static enum status draw_pattern(const struct yaml_tree *outline,
     if (st == STATUS_INPUT)
         st = refuse_lines(outline, holes, &blame, why);
     TRY(st);
+    const double narrow = fmin(size[0], size[1]), wide = fmax(size[0], size[1]);
+    if (narrow < 1e-9 || wide > SLENDER * narrow)
+        TRY(yaml_tree_refuse(outline, why,
+                             "the outline is %g by %g m; 1e-9 m at least, and not more "
+                             "than %g times as long as wide, would be right",
+                             size[0], size[1], SLENDER));
     pattern_free(scene->pattern);
     scene->pattern = p, p = NULL;
     scene->length = size[0], scene->width = size[1];
@@ -126,11 +137,12 @@ static const struct schema_key NUMBER = {.key = "a point of the mesh",
                                          .high = INT_MAX,
                                          .want = "the number of a `v`"};
 
-/* Adds the pairs of a seam, numbers from 0, to pair[*count][2]; NULL: counts them. */
+/* Adds the pairs of a seam, numbers from 0, to pair[*count][2]. */
 static enum status read_seam(const struct yaml_tree *seam, int *count, int (*pair)[2],
                              struct message *why)
 {
     const struct yaml_tree *run[2] = {seam->first, seam->first ? seam->first->next : NULL};
+    bool apart = false;
     enum status st = STATUS_OK;
 
     if (seam->kind != YAML_TREE_LIST || seam->count != 2 ||
@@ -139,16 +151,18 @@ static enum status read_seam(const struct yaml_tree *seam, int *count, int (*pai
         return yaml_tree_refuse(seam, why,
                                 "a seam has two runs of as many points, at least two, as "
                                 "in [[1, 2, 3], [7, 8, 9]]");
-    for (int s = 0; s < 2; s++) {
-        int n = *count;
-        for (const struct yaml_tree *at = run[s]->first; at; at = at->next, n++) {
-            int v;
-            TRY(schema_value(&NUMBER, at, &v, why));
-            if (pair)
-                pair[n][s] = v - 1;
-        }
+    for (const struct yaml_tree *a = run[0]->first, *b = run[1]->first; a;
+         a = a->next, b = b->next) {
+        int *v = pair[(*count)++];
+        TRY(schema_value(&NUMBER, a, &v[0], why));
+        TRY(schema_value(&NUMBER, b, &v[1], why));
+        apart |= v[0] != v[1];
+        v[0]--, v[1]--;
     }
-    *count += run[0]->count;
+    if (!apart)
+        st = yaml_tree_refuse(seam, why,
+                              "a seam joins a run of points to itself; two runs that "
+                              "differ would be right");
 out:
     return st;
 }
@@ -158,16 +172,18 @@ static enum status read_seams(const struct yaml_tree *seams, int *count, int (**
                               struct message *why)
 {
     enum status st = STATUS_OK;
+    int most = 1;
 
-    if (seams && seams->kind != YAML_TREE_LIST)
+    if (!seams)
+        return st;
+    if (seams->kind != YAML_TREE_LIST)
         return yaml_tree_refuse(seams, why, "seams must be a list of seams, each two runs");
-    for (int fill = 0; seams && fill < 2; fill++) {
-        if (fill && !(*pair = malloc((size_t)(*count + 1) * sizeof **pair)))
-            return STATUS_MEMORY;
-        *count = 0;
-        for (const struct yaml_tree *seam = seams->first; seam; seam = seam->next)
-            TRY(read_seam(seam, count, *pair, why));
-    }
+    for (const struct yaml_tree *seam = seams->first; seam; seam = seam->next)
+        most += seam->first ? seam->first->count : 0;
+    *pair = malloc((size_t)most * sizeof **pair);
+    TRY(*pair ? STATUS_OK : STATUS_MEMORY);
+    for (const struct yaml_tree *seam = seams->first; seam; seam = seam->next)
+        TRY(read_seam(seam, count, *pair, why));
 out:
     return st;
 }
@@ -202,23 +218,24 @@ out:
 /* --- supports by vertices and groups ----------------------------------------------------
  */
 
-/* Marks the `v` that a list names: by its numbers, or as corners of a group. */
-static enum status mark(const struct yaml_tree *node, const struct pattern *p, int count,
-                        bool *marked, struct message *why)
+/* Marks nodes that a list names by the numbers of their `v`, or that are of a group. */
+static enum status mark(const struct yaml_tree *node, const struct pattern *p, bool *marked,
+                        struct message *why)
 {
     enum status st = STATUS_OK;
     int group = 0, v;
 
-    if (node->kind == YAML_TREE_LIST) {
-        for (const struct yaml_tree *at = node->first; at; at = at->next) {
-            TRY(schema_value(&NUMBER, at, &v, why));
-            if (v > count)
-                TRY(yaml_tree_refuse(at, why, "the sheet's faces name `v` up to %d",
-                                     count));
-            marked[v - 1] = true;
-        }
-        return st;
+    for (const struct yaml_tree *at = node->first; at; at = at->next) {
+        bool named = false;
+        TRY(schema_value(&NUMBER, at, &v, why));
+        for (int n = 0; n < p->mesh.nodes; n++)
+            if (p->vertex[n] == v - 1)
+                named = marked[pattern_node(p, n)] = true;
+        if (!named)
+            return yaml_tree_refuse(at, why, "no face of the sheet's mesh names `v` %d", v);
     }
+    if (node->kind == YAML_TREE_LIST)
+        return st;
     while (group < p->groups && strcmp(p->group[group], node->text))
         group++;
     if (group == p->groups)
@@ -226,7 +243,7 @@ static enum status mark(const struct yaml_tree *node, const struct pattern *p, i
                                 yaml_tree_quote(node->text).text);
     for (int n = 0; n < 3 * p->mesh.triangles; n++)
         if (p->in[n / 3] == group)
-            marked[p->vertex[p->mesh.triangle[n / 3][n % 3]]] = true;
+            marked[pattern_node(p, p->mesh.triangle[n / 3][n % 3])] = true;
 out:
     return st;
 }
@@ -239,10 +256,10 @@ static void add_part(const struct pattern *p, int triangle, const bool *marked,
     const int *v = p->mesh.triangle[triangle];
     int first = 0;
 
-    while (first < 3 && !marked[p->vertex[v[first]]])
+    while (first < 3 && !marked[pattern_node(p, v[first])])
         first++;
     for (int k = 0; first < 3 && k < 3; k++) {
-        const double *at = p->mesh.at[v[marked[p->vertex[v[k]]] ? k : first]];
+        const double *at = p->mesh.at[v[marked[pattern_node(p, v[k])] ? k : first]];
         for (int i = 0; i < 2; i++) {
             const double place = at[i] / p->size[i];
             s->part[s->part_count][k][i] = place;
@@ -256,19 +273,16 @@ static enum status place_support(const struct yaml_tree *node, const struct patt
                                  struct scene_support *s, struct message *why)
 {
     enum status st;
-    int count = 0;
+    bool *marked = calloc((size_t)p->mesh.nodes, sizeof *marked);
 
-    for (int n = 0; n < p->mesh.nodes; n++)
-        count = p->vertex[n] >= count ? p->vertex[n] + 1 : count;
-    bool *marked = calloc((size_t)count + 1, sizeof *marked);
     s->part = malloc((size_t)p->mesh.triangles * sizeof *s->part);
     TRY(marked && s->part ? STATUS_OK : STATUS_MEMORY);
-    TRY(mark(node, p, count, marked, why));
+    TRY(mark(node, p, marked, why));
     s->lo[0] = s->lo[1] = 1, s->hi[0] = s->hi[1] = 0;
     for (int t = 0; t < p->mesh.triangles; t++)
         add_part(p, t, marked, s);
     if (!s->part_count)
-        st = yaml_tree_refuse(node, why, "no face names these points");
+        st = yaml_tree_refuse(node, why, "no face is in this group");
 out:
     free(marked);
     return st;
@@ -323,9 +337,7 @@ enum status scene_outline_check(const struct yaml_tree *root, bool files,
         if (given && (outline || mesh))
             return yaml_tree_refuse(
                 given, why,
-                "%s follows from the outline or mesh of the sheet; leave "
-                "it out",
-                size[i]);
+                "%s follows from the outline or mesh of the sheet; leave it out", size[i]);
         if (!given && !outline && !mesh)
             return schema_lacks(key, sheet, "sheet", why);
     }
@@ -341,8 +353,7 @@ enum status scene_outline_check(const struct yaml_tree *root, bool files,
     if (scene->sheets > 1 || scene->shape != SCENE_FLAT)
         return yaml_tree_refuse(
             outline ? outline : mesh, why,
-            "a sheet with an outline or a mesh must be flat, and the only "
-            "one");
+            "a sheet with an outline or a mesh must be flat, and the only one");
     if (outline)
         TRY(draw_pattern(outline, holes, scene, why));
     else

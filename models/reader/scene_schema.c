@@ -13,6 +13,7 @@
 #include "models/law/law_fabrics.h"
 #include "models/model.h"
 #include "models/reader/mesh_file.h"
+#include "models/pattern.h"
 #include "models/reader/scene_outline.h"
 #include "models/reader/schema.h"
 #include "models/reader/yaml_tree.h"
@@ -303,6 +304,22 @@ static enum status check_warp(const struct yaml_tree *root, const struct scene *
 
 /* Refuses loads on a curved shape, where even over parameters is not even over area, and
  * pressure on a sheet with sides, which has no potential unless they are held. */
+/* Tells whether some of a grid of places in a load's region is on the sheet. */
+static bool on_sheet(const struct scene *scene, const struct scene_load *load)
+{
+    enum { STEPS = 32 };
+    bool on = !scene->pattern;
+
+    for (int n = 0; !on && n < (STEPS + 1) * (STEPS + 1); n++) {
+        const double a = (double)(n % (STEPS + 1)) / STEPS,
+                     b = (double)(n / (STEPS + 1)) / STEPS;
+        on = pattern_has(scene->pattern,
+                         (load->lo[0] + a * (load->hi[0] - load->lo[0])) * scene->length,
+                         (load->lo[1] + b * (load->hi[1] - load->lo[1])) * scene->width);
+    }
+    return on;
+}
+
 static enum status check_loads(const struct yaml_tree *root, const struct scene *scene,
                                struct message *why)
 {
@@ -314,6 +331,12 @@ static enum status check_loads(const struct yaml_tree *root, const struct scene 
         return yaml_tree_refuse(yaml_tree_find(root, "pressure"), why,
                                 "pressure is for a closed sheet: pose must have kind "
                                 "'cloak' and opening 360");
+    const struct yaml_tree *node = yaml_tree_first(root, "loads");
+    for (int n = 0; node && n < scene->load_count; n++, node = node->next)
+        if (!on_sheet(scene, &scene->loads[n]))
+            return yaml_tree_refuse(
+                node, why, "loads[%d] lies beside the sheet; a place on it would be right",
+                n);
     return STATUS_OK;
 }
 

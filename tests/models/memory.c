@@ -7,6 +7,7 @@
 #include "models/contact/contact_rest.h"
 #include "models/grid.h"
 #include "tests/failing_memory.h"
+#include "tests/scratch.h"
 
 struct sheet {
     const struct contestant *contestant;
@@ -141,15 +142,47 @@ static void try_models(const char *only)
     }
 }
 
-static enum status read_scene(const char *setting, struct message *why)
+static enum status read_settings(int count, const char *const *setting, struct message *why)
 {
     struct discretization d = {.weights = NULL};
     struct scene scene;
-    enum status st = scene_file_read(SOURCE_DIR "/models/scenes/edge_drop.yaml", 1,
-                                     &setting, &scene, &d, why);
+    enum status st = scene_file_read(SOURCE_DIR "/models/scenes/edge_drop.yaml", count,
+                                     setting, &scene, &d, why);
 
     scene_clear(&scene);
     return st;
+}
+
+static enum status read_scene(const char *setting, struct message *why)
+{
+    return read_settings(1, &setting, why);
+}
+
+/* Reads a sheet with a dart that a seam closes, held at points of it. */
+static enum status read_garment(const void *mesh, struct message *why)
+{
+    char sheet[4096];
+
+    snprintf(sheet, sizeof sheet,
+             "sheet={mesh: %s, seams: [[[2, 3], [4, 3]]], thickness: 0.001}",
+             (const char *)mesh);
+    return read_settings(
+        2, (const char *const[]){sheet, "supports=[{at: {vertices: [1, 4]}, fix: xyz}]"},
+        why);
+}
+
+static void try_garment(void)
+{
+    scratch_open();
+    const char *mesh = scratch_path("dart.obj");
+    FILE *out = fopen(mesh, "w");
+
+    REQUIRE(out &&
+            fputs("v 0 0 0\nv .4 0 0\nv .5 .5 0\nv .6 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
+                  "g a\nf 1 2 3\nf 1 3 7\nf 3 6 7\nf 3 5 6\nf 3 4 5\n",
+                  out) >= 0 &&
+            fclose(out) == 0);
+    try_all(&(struct deed){"a scene with a dart", read_garment, mesh, .every = true});
 }
 
 /* Reads a scene whose sheet is a mesh. */
@@ -185,6 +218,7 @@ int main(int argc, char **argv)
     try_all(&(struct deed){"a scene with bodies", read_bodies, NULL, .every = true});
     try_all(&(struct deed){"a scene with wind", read_wind, NULL, .every = true});
     try_all(&(struct deed){"a scene that is a mesh", read_mesh, NULL, .every = true});
+    try_garment();
     for (int n = 1; n < argc || n == 1; n++)
         try_models(argv[n]);            /* NULL behind the last: all */
     return asked ? check_result() : 77; /* libraries that cannot be wrapped */

@@ -100,12 +100,11 @@ enum status run_surface_begin(const struct run_surface *s, const struct scene *s
     double *uv SCOPED(scope_free) = malloc((size_t)s->flat.nodes * 2 * sizeof *uv + 1);
     double(*start)[3] SCOPED(scope_free) = NULL;
     const struct pattern *p = scene->pattern;
-    const double size[2] = {scene->length, scene->width};
 
     if (!uv)
         return STATUS_MEMORY;
     for (int n = 0; n < 2 * s->flat.nodes; n++)
-        uv[n] = s->flat.at[n / 2][n % 2] / size[n % 2];
+        uv[n] = s->uvw[n / 2 * 3 + n % 2];
     if (pattern_starts_in_space(p)) {
         start = malloc((size_t)s->flat.nodes * sizeof *start);
         if (!start)

@@ -27,8 +27,8 @@
  * solver, nothing of their mechanics. */
 enum truth_model { TRUTH_SOLID, TRUTH_SHELL, TRUTH_MODELS };
 
-/* What stands for solid and shell: these themselves, or, of a sheet that is no rectangle,
- * triangles of two kinds; on two meshes of an outline, or on the scene's own triangles. */
+/* Tells what stands for solid and shell: these themselves, or, of a sheet that is no
+ * rectangle, triangles of two kinds, on two meshes of an outline or on the scene's own. */
 enum truth_net { TRUTH_SPLINES, TRUTH_MESHES, TRUTH_OWN_MESH };
 
 /* One run: a net with a step. */

@@ -12,8 +12,8 @@
  *                     quick ("yes", of a quick run only), made_for (run_file.h),
  *                     warnings (a line each, if there are any: harness/warnings.h),
  *                     length, width, thickness [m], nodes, unknowns, factor_entries,
- *                     corner_u, corner_v [m] (of the box of a sheet that is no rectangle,
- *                     where the pose has 0),
+ *                     corner_u, corner_v [m] (of a sheet that is no rectangle: where its
+ *                     box begins, from the pose's origin),
  *                     contact_thickness, contact_range [m], contact_stiffness [Pa],
  *                     contact_friction (the law of the sheet on itself, of scenes with
  *                     contact only), contact_distance, contact_edge [m] (from a body under

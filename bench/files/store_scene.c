@@ -17,8 +17,8 @@ static bool are_finite(const double *value, long count)
     return good;
 }
 
-/* Fills a mesh from triangles[rows][3] and uv[points][2]; false: they are none of a plane.
- */
+/* Fills a mesh from triangles[rows][3] and uv[points][2]; tells whether they are a mesh in
+ * the plane. */
 static bool fill(const double *triangle, int rows, const double *uv, int points,
                  const double size[2], struct mesh_flat *flat)
 {
@@ -107,7 +107,7 @@ static enum status take_parts(struct store_read *file, const char *path,
 }
 
 /* Makes the pattern of a scene that names a mesh from the file's triangles, and the parts
- * of its supports; of nothing else. Panels are not sewn together there. */
+ * of its supports; other scenes stay as they are. Panels are not sewn together there. */
 static enum status take_surface(struct store_read *file, const char *path,
                                 struct scene *scene, struct message *why)
 {

@@ -188,7 +188,7 @@ static enum status take(struct run_file *f, bool field, struct message *why)
     return st;
 }
 
-/* Tells whether a frame is a look by its time, or in any case. */
+/* Tell whether a frame is a look because of its time, and whether it is one at all. */
 static bool is_timed(const struct run_file *f, double time)
 {
     const struct run_keep *keep = f->keep;

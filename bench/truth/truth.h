@@ -130,8 +130,8 @@ enum truth_column {
     /* Read from the file beside it (truth_file_read), NaN where there is none: */
     TRUTH_THIRD = TRUTH_STORED, /* how far it is [m]                                    */
     TRUTH_THIRD_BAR,            /* its own error bar [m]                                */
-    /* Columns of the file, or computed where it is read; NaN where nothing was claimed
-       before, and the depth of a garment's: */
+    /* These are columns of the file, or computed where it is read; they are NaN where
+       nothing was claimed before, and of a garment the depth is: */
     TRUTH_CROSSINGS,      /* pairs of triangles where its sheet passes through itself [1] */
     TRUTH_CROSSING_DEPTH, /* how deep (models/metric/crossing.h) [m]                    */
     TRUTH_COLUMNS

@@ -247,7 +247,7 @@ int main(void)
     make_run(good, "iga_linear", "edge_drop");
     try_all(good, bad, read_run);
     made_on_purpose(good, bad, sizeof made / sizeof *made, made);
-    make_run(good, "mass_spring", "skirt");
+    make_run(good, "triangles", "skirt");
     CHECK(read_run(good, NULL) == STATUS_OK);
     made_on_purpose(good, bad, sizeof garment / sizeof *garment, garment);
     try_all(SOURCE_DIR "/bench/truths/sphere.h5", bad, read_truth);

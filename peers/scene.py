@@ -30,7 +30,7 @@ LOST = {
     "mujoco": "warp and weft: it has E, nu and h of the isotropic mean",
     "rapier3d": "Y12, and of bending all but one frequency for all hinges"}
 WITHOUT_SPRINGS = ("calculix", "mujoco")
-# Who takes any mesh, for it has no hinges, with its edges as links; and capsules, and any number.
+# These have no hinges, and take any mesh, with its edges as links; and any number of capsules.
 ANY_MESH = ("bullet",)
 
 

@@ -504,14 +504,14 @@ static bool is_sewn(const struct export_sheet *s)
     return s->mesh && s->mesh->flat.corner;
 }
 
-/* Puts the pattern of a garment, a place for each corner [m], and its faces. */
-static void put_pattern(const struct export_sheet *s, struct output *out)
+/* Puts the pattern of a mesh, a place for each corner [m], and its faces. */
+static void put_pattern(const struct mesh_flat *flat, const double origin[2],
+                        struct output *out)
 {
-    const struct mesh_flat *flat = &s->mesh->flat;
-
-    for (int n = 0; n < 3 * flat->triangles; n++)
-        output_print(out, "vt %.17g %.17g\n", flat->corner[n / 3][n % 3][0],
-                     flat->corner[n / 3][n % 3][1]);
+    for (int n = 0; n < 3 * flat->triangles; n++) {
+        const double *at = mesh_flat_place(flat, n / 3, n % 3);
+        output_print(out, "vt %.17g %.17g\n", at[0] + origin[0], at[1] + origin[1]);
+    }
     for (int n = 0; n < flat->triangles; n++) {
         const int *v = flat->triangle[n];
         output_print(out, "f %d/%d %d/%d %d/%d\n", v[0] + 1, 3 * n + 1, v[1] + 1, 3 * n + 2,
@@ -539,13 +539,15 @@ static void export_mesh_obj(struct export_job *j, struct output *out)
         export_sheet_vertex(s, n, uvw, x);
         output_print(out, "v %.17g %.17g %.17g\n", x[0], x[1], x[2]);
     }
-    for (int n = 0; n < export_sheet_vertices(s) && !is_sewn(s); n++) {
+    if (is_sewn(s)) {
+        put_pattern(&s->mesh->flat, (const double[2]){0}, out);
+        return;
+    }
+    for (int n = 0; n < export_sheet_vertices(s); n++) {
         export_sheet_vertex(s, n, uvw, x);
         output_print(out, "vt %.17g %.17g\n", uvw[0], uvw[1]);
     }
-    if (is_sewn(s))
-        put_pattern(s, out);
-    for (int n = 0; n < export_mesh_triangles(s) && !is_sewn(s); n++) {
+    for (int n = 0; n < export_mesh_triangles(s); n++) {
         export_mesh_triangle(s, n, c);
         output_print(out, "f %d/%d %d/%d %d/%d\n", c[0] + 1, c[0] + 1, c[1] + 1, c[1] + 1,
                      c[2] + 1, c[2] + 1);
@@ -556,7 +558,7 @@ static void export_mesh_obj(struct export_job *j, struct output *out)
 static void export_mesh_sheet(struct export_job *j, struct output *out)
 {
     const struct pattern *p = j->scene.pattern;
-    struct mesh_flat flat = {0};
+    struct mesh_flat flat SCOPED(mesh_flat_clear) = {0};
 
     if (pattern_sewn(p, &flat) != STATUS_OK)
         arena_end();
@@ -567,16 +569,7 @@ static void export_mesh_sheet(struct export_job *j, struct output *out)
         output_print(out, "v %.17g %.17g %.17g\n", at[0] + p->corner[0],
                      at[1] + p->corner[1], flat.start ? at[2] : 0);
     }
-    for (int n = 0; n < 3 * flat.triangles; n++) {
-        const double *at = mesh_flat_place(&flat, n / 3, n % 3);
-        output_print(out, "vt %.17g %.17g\n", at[0] + p->corner[0], at[1] + p->corner[1]);
-    }
-    for (int n = 0; n < flat.triangles; n++) {
-        const int *v = flat.triangle[n];
-        output_print(out, "f %d/%d %d/%d %d/%d\n", v[0] + 1, 3 * n + 1, v[1] + 1, 3 * n + 2,
-                     v[2] + 1, 3 * n + 3);
-    }
-    mesh_flat_clear(&flat);
+    put_pattern(&flat, p->corner, out);
 }
 
 /* Writes a body as it lies in the scene, in metres. */

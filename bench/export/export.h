@@ -20,7 +20,7 @@ struct export_sheet {
     int points[2];             /* n, m of each sheet; >= 2                             */
     const struct mesh *mesh;   /* somebody's triangles in place of these; or NULL      */
     double (*outside)[2];      /* [m] of its vertices outside, along u and v           */
-    double (*mirrored)[3];     /* and where these start, of a sheet that does so in space */
+    double (*mirrored)[3];     /* [m] where they start, of a sheet that starts in space */
 };
 
 /* Makes a table of the numbers of a net of points: equal ones share a row with their count;

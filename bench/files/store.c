@@ -315,33 +315,27 @@ enum status store_surface(struct store *s, int points, const double *uv,
                           const double (*start)[3], int count, const int (*triangle)[3],
                           struct message *why)
 {
+    const struct hdf5_file_meaning of_start = {"m", "point, component"},
+                                   of_triangle = {"1", "triangle, corner"},
+                                   of_uv = {"1", "point, u v"};
+    const bool good = (!start || hdf5_file_put_array(s->file, "surface/start", of_start,
+                                                     start[0], points, 3) >= 0) &&
+                      hdf5_file_put_whole(s->file, "surface/triangle", of_triangle,
+                                          triangle[0], count, 3) >= 0 &&
+                      hdf5_file_put_array(s->file, "surface/uv", of_uv, uv, points, 2) >= 0;
+
     s->surface = (struct xdmf_surface){points, count};
-    if (start)
-        CALL(
-            written(s,
-                    hdf5_file_put_array(s->file, "surface/start",
-                                        (struct hdf5_file_meaning){"m", "point, component"},
-                                        start[0], points, 3) >= 0,
-                    why));
-    return written(s,
-                   hdf5_file_put_whole(s->file, "surface/triangle",
-                                       (struct hdf5_file_meaning){"1", "triangle, corner"},
-                                       triangle[0], count, 3) >= 0 &&
-                       hdf5_file_put_array(s->file, "surface/uv",
-                                           (struct hdf5_file_meaning){"1", "point, u v"},
-                                           uv, points, 2) >= 0,
-                   why);
+    return written(s, good, why);
 }
 
 enum status store_surface_frame(struct store *s, const double *xyz, struct message *why)
 {
+    const struct hdf5_file_meaning meaning = {"m", "point, component"};
+    const int points = s->surface.points;
     char name[64];
 
     snprintf(name, sizeof name, "surface/%d", s->fields - 1);
-    return written(s,
-                   hdf5_file_put_array(s->file, name,
-                                       (struct hdf5_file_meaning){"m", "point, component"},
-                                       xyz, s->surface.points, 3) >= 0,
+    return written(s, hdf5_file_put_array(s->file, name, meaning, xyz, points, 3) >= 0,
                    why);
 }
 
@@ -368,15 +362,13 @@ enum status store_metric(struct store *s, const char *name, const char *unit,
                    why);
 }
 
-enum status store_vectors(struct store *s, struct store_vector vector, const double *value,
-                          int count, struct message *why)
+enum status store_vectors(struct store *s, const char *name, const char *unit,
+                          const double (*value)[3], int count, struct message *why)
 {
-    const struct hdf5_file_meaning meaning = {vector.unit, "frame, component"};
-    char path[64];
+    const struct hdf5_file_meaning meaning = {unit, "frame, component"};
 
     assert(count == s->frames);
-    snprintf(path, sizeof path, "%s/%s_%d", vector.group, vector.what, vector.number);
-    return written(s, hdf5_file_put_array(s->file, path, meaning, value, count, 3) >= 0,
+    return written(s, hdf5_file_put_array(s->file, name, meaning, *value, count, 3) >= 0,
                    why);
 }
 

@@ -12,8 +12,8 @@
  *                     quick ("yes", of a quick run only), made_for (run_file.h),
  *                     warnings (a line each, if there are any: harness/warnings.h),
  *                     length, width, thickness [m], nodes, unknowns, factor_entries,
- *                     corner_u, corner_v [m] (of the box of a sheet that is no rectangle,
- *                     where the pose has 0),
+ *                     corner_u, corner_v [m] (of a sheet that is no rectangle: where its
+ *                     box begins, from the pose's origin),
  *                     contact_thickness, contact_range [m], contact_stiffness [Pa],
  *                     contact_friction (the law of the sheet on itself, of scenes with
  *                     contact only), contact_distance, contact_edge [m] (from a body under
@@ -83,9 +83,9 @@ enum status store_try(const char *path, struct message *why);
 enum status store_create(const char *path, const struct store_run *run,
                          struct store **store, struct message *why);
 
-/* Adds the triangles[count] of a surface of `points` points at uv[points][2], which are
- * borrowed until the end; start: NULL, or where they begin; and, after each frame with a
- * field, their positions. */
+/* Adds the triangles[count] of a surface of `points` points at uv[points][2]; start: NULL,
+ * or where they begin. store_surface_frame adds their positions, and is called after each
+ * frame with a field. */
 enum status store_surface(struct store *store, int points, const double *uv,
                           const double (*start)[3], int count, const int (*triangle)[3],
                           struct message *why);
@@ -108,14 +108,9 @@ enum status store_seconds(struct store *store, const char *phase, const double *
 enum status store_metric(struct store *store, const char *name, const char *unit,
                          const double *value, int count, struct message *why);
 
-/* Adds a vector per frame stored so far, value[count][3], as GROUP/WHAT_NUMBER, once each.
- */
-struct store_vector {
-    const char *group, *unit, *what;
-    int number;
-};
-enum status store_vectors(struct store *store, struct store_vector vector,
-                          const double *value, int count, struct message *why);
+/* Adds a vector per frame stored so far, value[count][3], of that name, once each. */
+enum status store_vectors(struct store *store, const char *name, const char *unit,
+                          const double (*value)[3], int count, struct message *why);
 
 /* Adds the size of the model that was built. */
 enum status store_size(struct store *store, const struct model_size *size,

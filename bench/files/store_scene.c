@@ -8,18 +8,25 @@
 #include "models/pattern.h"
 #include "models/reader/scene_file.h"
 
-/* Fills a mesh from triangles[rows][3] and uv[points][2]; false: they are none of a plane.
- */
+static bool are_finite(const double *value, long count)
+{
+    bool good = true;
+
+    for (long n = 0; n < count; n++)
+        good = good && isfinite(value[n]);
+    return good;
+}
+
+/* Fills a mesh from triangles[rows][3] and uv[points][2]; tells whether they are a mesh in
+ * the plane. */
 static bool fill(const double *triangle, int rows, const double *uv, int points,
                  const double size[2], struct mesh_flat *flat)
 {
-    bool good = rows > 0 && points > 0;
+    bool good = rows > 0 && points > 0 && are_finite(uv, 2L * points);
 
     flat->nodes = points, flat->triangles = rows;
-    for (int n = 0; good && n < 2 * points; n++) {
-        good = isfinite(uv[n]);
+    for (int n = 0; good && n < 2 * points; n++)
         flat->at[n / 2][n % 2] = uv[n] * size[n % 2];
-    }
     for (int n = 0; good && n < 3 * rows; n++) {
         good =
             triangle[n] >= 0 && triangle[n] < points && triangle[n] == floor(triangle[n]);
@@ -69,8 +76,8 @@ out:
 }
 
 /* Takes the parts of supports, and the box around them. */
-static enum status take_parts(struct store_read *file, struct scene *scene,
-                              struct message *why)
+static enum status take_parts(struct store_read *file, const char *path,
+                              struct scene *scene, struct message *why)
 {
     for (int n = 0; n < scene->support_count; n++) {
         struct scene_support *s = &scene->supports[n];
@@ -82,8 +89,9 @@ static enum status take_parts(struct store_read *file, struct scene *scene,
         if (!store_read_has(file, name))
             continue;
         CALL(store_read_array(file, name, &place, &rows, &columns, why));
-        if (columns != 6 || rows < 1)
-            return status_fail(why, STATUS_INPUT, "%s is no list of triangles", name);
+        if (columns != 6 || rows < 1 || !are_finite(place, 6L * rows))
+            return status_fail(why, STATUS_INPUT, "%s: %s is no triangles of a plane", path,
+                               name);
         s->part = malloc((size_t)rows * sizeof *s->part);
         if (!s->part)
             return STATUS_MEMORY;
@@ -99,14 +107,14 @@ static enum status take_parts(struct store_read *file, struct scene *scene,
 }
 
 /* Makes the pattern of a scene that names a mesh from the file's triangles, and the parts
- * of its supports; of nothing else. Panels are not sewn together there. */
+ * of its supports; other scenes stay as they are. Panels are not sewn together there. */
 static enum status take_surface(struct store_read *file, const char *path,
                                 struct scene *scene, struct message *why)
 {
     double *triangle, *uv, *start = NULL, corner[2];
     int rows, points, columns[2];
 
-    if (!scene->pattern_file || !store_read_has(file, "surface"))
+    if (!scene->pattern_file)
         return STATUS_OK;
     CALL(store_read_number(file, "length", &scene->length, why));
     CALL(store_read_number(file, "width", &scene->width, why));
@@ -119,13 +127,14 @@ static enum status take_surface(struct store_read *file, const char *path,
     int starts = points, of_start = 3;
     if (store_read_has(file, "surface/start"))
         CALL(store_read_array(file, "surface/start", &start, &starts, &of_start, why));
-    const enum status st = columns[0] == 3 && columns[1] == 2 && starts == points &&
-                                   of_start == 3 && scene->length > 0 && scene->width > 0
-                               ? take_pattern(triangle, rows, uv, start, points, scene)
-                               : STATUS_INPUT;
+    const bool good = columns[0] == 3 && columns[1] == 2 && starts == points &&
+                      of_start == 3 && (!start || are_finite(start, 3L * points)) &&
+                      are_finite(corner, 2) && scene->length > 0 && scene->width > 0;
+    const enum status st =
+        good ? take_pattern(triangle, rows, uv, start, points, scene) : STATUS_INPUT;
     if (st == STATUS_INPUT)
         return status_fail(why, st, "%s: its surface is no triangles of a plane", path);
-    return st == STATUS_OK ? take_parts(file, scene, why) : st;
+    return st == STATUS_OK ? take_parts(file, path, scene, why) : st;
 }
 
 /* Finds the settings in the text, whose line ends become ends of strings. Those of the

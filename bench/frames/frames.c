@@ -160,6 +160,34 @@ static enum status open_files(struct frames *f, struct message *why)
     return f->reader->open(f, why);
 }
 
+static int compare_corners(const void *a, const void *b)
+{
+    const int *left = a, *right = b;
+
+    return (*left > *right) - (*left < *right);
+}
+
+static int compare_faces(const void *a, const void *b)
+{
+    return memcmp(a, b, 3 * sizeof(int));
+}
+
+bool frames_same_faces(int count, const int (*a)[3], int other, const int (*b)[3])
+{
+    struct arena own SCOPED(arena_clear) = {0};
+    int(*sorted)[3] = arena_take(&own, 2 * (size_t)count, sizeof *sorted);
+
+    if (count != other)
+        return false;
+    for (int n = 0; n < 2 * count; n++) {
+        memcpy(sorted[n], n < count ? a[n] : b[n - count], sizeof *sorted);
+        qsort(sorted[n], 3, sizeof **sorted, compare_corners);
+    }
+    qsort(sorted, (size_t)count, sizeof *sorted, compare_faces);
+    qsort(sorted + count, (size_t)count, sizeof *sorted, compare_faces);
+    return !memcmp(sorted, sorted + count, (size_t)count * sizeof *sorted);
+}
+
 /* Reads the mesh of --rest and takes uv, rest positions and faces from it. */
 static enum status take_rest(struct frames *f, struct message *why)
 {
@@ -174,6 +202,12 @@ static enum status take_rest(struct frames *f, struct message *why)
         f->net.uv = mesh.uv;
     f->net.rest = mesh.xyz;
     if (!f->net.triangles || (mesh.corner && !f->net.corner)) {
+        if (f->net.triangles &&
+            !frames_same_faces(f->net.triangles, (const int(*)[3])f->net.triangle,
+                               mesh.triangles, (const int(*)[3])mesh.triangle))
+            return status_fail(why, STATUS_INPUT,
+                               "%s: its faces are not those of %s; the same would be right",
+                               f->path, f->look.rest);
         f->net.triangles = mesh.triangles, f->net.triangle = mesh.triangle;
         f->net.corner = mesh.corner;
     }

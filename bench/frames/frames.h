@@ -54,6 +54,9 @@ struct frames_net {
                                seams are looked for; NULL: those of the vertices          */
 };
 
+/* Tells whether two lists have the same triangles of vertices, in any order. */
+bool frames_same_faces(int count, const int (*a)[3], int other, const int (*b)[3]);
+
 /* The most vertices of a net and times of a file: a larger count is taken for damage. */
 enum {
     FRAMES_MOST_VERTICES = 4000000,

@@ -45,8 +45,8 @@ struct frames_mesh {
     double *xyz;        /* [vertices][3]                                                */
     double *uv;         /* [vertices][2]; NULL: none                                    */
     int (*triangle)[3]; /* polygons are fans of them                                    */
-    bool seams;         /* in place of uv,                                          */
-    double (*corner)[3][2]; /* [triangles] vt of their corners; NULL: some have none    */
+    bool seams;         /* set by the caller: vt of OBJ are those of corners            */
+    double (*corner)[3][2]; /* [triangles] these, in place of uv; NULL: there are none  */
 };
 enum status frames_mesh_read(const char *path, bool seams, struct arena *arena,
                              struct frames_mesh *mesh, struct message *why);

@@ -47,7 +47,7 @@ static double pulled_at(const struct scene *scene, const struct scene_support *a
 }
 
 /* Returns to how many times its length supports pull the sheet between them, at most; 1:
- * not at all. Grippers have it between them as it hangs. */
+ * not at all. Grippers do not: the sheet hangs between them as it did when they took it. */
 static double pulled(const struct scene *scene)
 {
     double most = 1;

@@ -188,7 +188,7 @@ static enum status take(struct run_file *f, bool field, struct message *why)
     return st;
 }
 
-/* Tells whether a frame is a look by its time, or in any case. */
+/* Tell whether a frame is a look because of its time, and whether it is one at all. */
 static bool is_timed(const struct run_file *f, double time)
 {
     const struct run_keep *keep = f->keep;
@@ -266,17 +266,17 @@ static enum status store_push(const struct run_file *f, int pusher, bool moments
 {
     const int supports = f->run->scene.support_count, count = f->looks.count;
     const bool body = pusher >= supports;
-    const struct store_vector vector = {
-        moments ? "moments" : "forces", moments ? "N m" : "N",
-        body ? "obstacle" : "support", body ? pusher - supports : pusher};
-    double(*value)[3] SCOPED(scope_free) = calloc((size_t)count + 1, sizeof *value);
+    struct arena own SCOPED(arena_clear) = {0};
+    double(*value)[3] = arena_take(&own, (size_t)count, sizeof *value);
+    const char *name =
+        arena_print(&own, "%s/%s_%d", moments ? "moments" : "forces",
+                    body ? "obstacle" : "support", body ? pusher - supports : pusher);
 
-    if (!value)
-        return STATUS_MEMORY;
     for (int n = 0; n < count; n++)
         memcpy(value[n], f->pushed[pusher * f->looks.room + n] + (moments ? 3 : 0),
                sizeof *value);
-    return store_vectors(f->store, vector, *value, count, why);
+    return store_vectors(f->store, name, moments ? "N m" : "N", (const double(*)[3])value,
+                         count, why);
 }
 
 static enum status store_series(struct run_file *f, struct message *why)

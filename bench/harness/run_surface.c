@@ -97,26 +97,22 @@ void run_surface_sample(struct run_surface *s, const struct model *model, const 
 enum status run_surface_begin(const struct run_surface *s, const struct scene *scene,
                               struct store *store, struct message *why)
 {
-    double *uv SCOPED(scope_free) = malloc((size_t)s->flat.nodes * 2 * sizeof *uv + 1);
-    double(*start)[3] SCOPED(scope_free) = NULL;
     const struct pattern *p = scene->pattern;
-    const double size[2] = {scene->length, scene->width};
+    const size_t nodes = (size_t)s->flat.nodes;
+    struct arena own SCOPED(arena_clear) = {0};
+    double *uv = arena_take(&own, nodes, 2 * sizeof *uv), (*start)[3] = NULL;
 
-    if (!uv)
-        return STATUS_MEMORY;
+    if (!p)
+        return STATUS_OK;
     for (int n = 0; n < 2 * s->flat.nodes; n++)
-        uv[n] = s->flat.at[n / 2][n % 2] / size[n % 2];
+        uv[n] = s->uvw[n / 2 * 3 + n % 2];
     if (pattern_starts_in_space(p)) {
-        start = malloc((size_t)s->flat.nodes * sizeof *start);
-        if (!start)
-            return STATUS_MEMORY;
+        start = arena_take(&own, nodes, sizeof *start);
         for (int n = 0; n < s->flat.nodes; n++)
             memcpy(start[n], p->start[p->node[n]], sizeof *start);
     }
-    return s->flat.nodes
-               ? store_surface(store, s->flat.nodes, uv, (const double(*)[3])start,
-                               s->flat.triangles, (const int(*)[3])s->flat.triangle, why)
-               : STATUS_OK;
+    return store_surface(store, s->flat.nodes, uv, (const double(*)[3])start,
+                         s->flat.triangles, (const int(*)[3])s->flat.triangle, why);
 }
 
 enum status run_surface_store(const struct run_surface *s, struct store *store,

@@ -1,6 +1,6 @@
 /* run_surface.h - triangles of the mid-surface of a sheet that is no rectangle, where the
- * material grid would leave steps along the border: the same for all models, which pictures
- * and ParaView show; and those of a net, on which crossings are counted.
+ * material grid would leave steps along the border. Those that pictures and ParaView show
+ * are the same for all models; on those of a run's own net crossings are counted.
  */
 #ifndef RUN_SURFACE_H
 #define RUN_SURFACE_H
@@ -30,8 +30,8 @@ double run_surface_crossings(const struct run_surface *s);
 void run_surface_sample(struct run_surface *s, const struct model *model,
                         const void *state);
 
-/* Stores triangles and places; and the positions, after a frame with a field. Nothing of a
- * rectangle. */
+/* Store the triangles with their places, and the positions after a frame with a field. Of
+ * a rectangle nothing is stored. */
 enum status run_surface_begin(const struct run_surface *s, const struct scene *scene,
                               struct store *store, struct message *why);
 enum status run_surface_store(const struct run_surface *s, struct store *store,

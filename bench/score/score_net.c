@@ -165,7 +165,8 @@ static enum status take_own(struct arena *arena, const struct scene *scene,
     const struct pattern *p = scene->pattern;
     const struct mesh_flat *own = &p->mesh;
     const int nodes = p->node ? p->nodes : own->nodes;
-
+    const int(*given)[3] = (const int(*)[3])net->triangle;
+    const int faces = net->triangles;
     char count[128] = "";
 
     if (own->triangles)
@@ -194,6 +195,12 @@ static enum status take_own(struct arena *arena, const struct scene *scene,
                 "%g, %g; its order, or --rest FILE with faces, would be right",
                 name, vertex + 1, uv[0], uv[1], scene->name, place[0], place[1]);
     }
+    if (faces &&
+        !frames_same_faces(faces, given, net->triangles, (const int(*)[3])net->triangle))
+        return status_fail(why, STATUS_INPUT,
+                           "%s: its faces are not those of the mesh of %s; these, or "
+                           "--rest FILE with vt and the same faces, would be right",
+                           name, scene->name);
     return STATUS_OK;
 }
 
@@ -205,8 +212,9 @@ enum status score_net_complete(struct arena *arena, const struct scene *scene,
         for (int n = 0; net->beside && n < net->vertices; n++)
             if (net->beside[n])
                 return status_fail(why, STATUS_INPUT,
-                                   "%s: is of a sheet with an outline; %s has none", name,
-                                   scene->name);
+                                   "%s: its first frame has no numbers at u = %.3g, v = "
+                                   "%.3g, and %s has no outline that leaves it out",
+                                   name, net->uv[2 * n], net->uv[2 * n + 1], scene->name);
         return STATUS_OK;
     }
     if (net->beside)
@@ -496,6 +504,12 @@ static enum status check_span(const struct score_net *net, const struct frames_n
             beyond = x > 1 + EDGE ? fmin(beyond, x) : beyond;
             before = x < -EDGE ? fmax(before, x) : before;
         }
+        if (frames->corner && fabs(last - first - 1) > EDGE)
+            return status_fail(why, STATUS_INPUT,
+                               "%s: its vt span %.4g m along %c; the %.4g m of the pattern "
+                               "of %s, as rest.obj of export has them, would be right",
+                               name, (last - first) * scene->pattern->size[d], "uv"[d],
+                               scene -> pattern -> size[d], scene -> name);
         if (first < -OUTSIDE || last > 1 + OUTSIDE || last > beyond + SAME_LINE ||
             first < before - SAME_LINE)
             return status_fail(

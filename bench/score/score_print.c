@@ -49,8 +49,8 @@ static void range_text(const struct score *s, size_t size, char *text)
         used +=
             snprintf(text + used, size - (size_t)used,
                      "; L is the square root of the sheet's area, %.4g m; no diagnosis of "
-                     "the order of vertices or of a free fall, as the sheet has an "
-                     "outline",
+                     "rows for columns, of stray vertices or of a free fall, as the sheet "
+                     "has an outline",
                      s->truth->length);
     snprintf(text + used, size - (size_t)used, "%s%s",
              s->net.by_position ? "; vertices were matched by their rest positions" : "",
@@ -207,7 +207,7 @@ static void print_json(const struct score *s, const struct score_diagnosis *d,
 void score_print_add(struct score_print *p, const struct score *s,
                      const struct score_diagnosis *d)
 {
-    char range[512];
+    char range[640]; /* with all that range_text may add */
 
     range_text(s, sizeof range, range);
     if (p->printer->format == TABLE_JSON) {

@@ -27,8 +27,8 @@
  * solver, nothing of their mechanics. */
 enum truth_model { TRUTH_SOLID, TRUTH_SHELL, TRUTH_MODELS };
 
-/* What stands for solid and shell: these themselves, or, of a sheet that is no rectangle,
- * triangles of two kinds; on two meshes of an outline, or on the scene's own triangles. */
+/* Tells what stands for solid and shell: these themselves, or, of a sheet that is no
+ * rectangle, triangles of two kinds, on two meshes of an outline or on the scene's own. */
 enum truth_net { TRUTH_SPLINES, TRUTH_MESHES, TRUTH_OWN_MESH };
 
 /* One run: a net with a step. */
@@ -130,8 +130,8 @@ enum truth_column {
     /* Read from the file beside it (truth_file_read), NaN where there is none: */
     TRUTH_THIRD = TRUTH_STORED, /* how far it is [m]                                    */
     TRUTH_THIRD_BAR,            /* its own error bar [m]                                */
-    /* Columns of the file, or computed where it is read; NaN where nothing was claimed
-       before, and the depth of a garment's: */
+    /* These are columns of the file, or computed where it is read; they are NaN where
+       nothing was claimed before, and of a garment the depth is: */
     TRUTH_CROSSINGS,      /* pairs of triangles where its sheet passes through itself [1] */
     TRUTH_CROSSING_DEPTH, /* how deep (models/metric/crossing.h) [m]                    */
     TRUTH_COLUMNS

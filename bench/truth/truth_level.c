@@ -19,12 +19,11 @@ const char *truth_level_word(enum truth_model model, enum truth_net net,
         {{"selective solid, cured of locking", "selective solid", "solid"},
          {"Kirchhoff-Love shell, cured of locking", "cured Kirchhoff-Love shell", "shell"}},
         {{"triangles with turns at mid-edges", "triangles with turns", "turns"},
-         {"triangles with slopes at edges, on another mesh", "triangles with slopes",
-          "slopes"}},
-        {{"triangles with turns at mid-edges", "triangles with turns", "turns"},
          {"triangles with slopes at edges", "triangles with slopes", "slopes"}}};
 
-    return word[net][model][form];
+    if (net == TRUTH_MESHES && model == TRUTH_SHELL && form == TRUTH_FORM_WHOLE)
+        return "triangles with slopes at edges, on another mesh";
+    return word[net != TRUTH_SPLINES][model][form];
 }
 
 const struct contestant *truth_level_contestant(const struct truth_level *level)

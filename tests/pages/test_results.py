@@ -7,7 +7,7 @@ import h5py
 import numpy as np
 import pytest
 
-from clothbench import results
+from clothbench import charts, page, results
 from clothbench.results import Bad
 
 @pytest.mark.parametrize("text, want", [
@@ -60,6 +60,32 @@ def test_run(tmp_path):
     assert run.time == [0.5] and run.xyz.shape == (1, 2, 25, 13, 3)
     assert np.allclose(run.xyz[0, 1, 2, 3], xyz[1, :, 8, 50 + 12].mean(0))
     assert np.allclose(run.side_by_side()[0, 2, 13 + 3], run.xyz[0, 1, 2, 3])
+
+@pytest.mark.parametrize("triangle, place, words", [
+    ([[0, 1, 2]], np.eye(3), ""), ([[0, 1, 2]], np.full((3, 3), np.nan), ""),
+    ([[0, 1, 3]], np.eye(3), "points that its surface has not"), ([[-1, 1, 2]], np.eye(3), "points that its"),
+    ([[0.0, 1, 2]], np.eye(3), "no triangles"), ([0, 1, 2], np.eye(3), "no triangles"),
+    ([[0, 1, 2]], np.eye(3)[:, :2], "no triangles"), ([[0, 1, 2]], None, "no triangles")])
+def test_surface(tmp_path, triangle, place, words):
+    """Of a sheet that is no rectangle the triangles are drawn; those that are none are told, whether or not
+    each time has their points."""
+    path = tmp_path / "run_s" / "r.h5"
+    path.parent.mkdir()
+    sheet(path, np.ones((2, 2, 100, 100, 3)))
+    with h5py.File(path, "r+") as file:
+        file["surface/triangle"], file["surface/0"] = triangle, np.zeros((3, 3))
+        if place is not None:
+            file["surface/1"] = place
+    seal(path)
+    if words:
+        with pytest.raises(Bad, match=words):
+            results.run(path)
+    else:
+        run = results.run(path)
+        assert np.array_equal(run.faces(1), [place[[0, 1, 2, 2]]], equal_nan=True)
+        assert len(charts.pictures_of([run])) == 2
+        motion, = page.motions_of(tmp_path)
+        assert (motion["rows"], motion["columns"], motion["triangles"]) == (1, 3, triangle)
 
 def test_bad_shape(tmp_path):
     sheet(tmp_path / "r.h5", np.zeros((3, 2, 100, 100, 3)))

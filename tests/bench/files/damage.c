@@ -2,6 +2,8 @@
  * in a sentence: 2,000 stored truths and 2,000 runs, with a fixed seed. None is believed,
  * none crashes what reads it.
  */
+#include <math.h>
+
 #include "bench/files/hdf5_file.h"
 #include "bench/files/seal.h"
 #include "bench/harness/contestant.h"
@@ -110,25 +112,27 @@ static enum status read_run(const char *path, struct message *why)
     return st;
 }
 
-static void make_run(const char *path)
+static void make_run(const char *path, const char *model, const char *name)
 {
     struct case_plan plan = {.end = 0.02, .keep = {.file = path, .every = 1}};
     char *scene = NULL;
 
-    REQUIRE(contestant_find("iga_linear", &plan.contestant, NULL) == STATUS_OK);
-    REQUIRE(scene_file_find("edge_drop", &scene, NULL) == STATUS_OK);
+    REQUIRE(contestant_find(model, &plan.contestant, NULL) == STATUS_OK);
+    REQUIRE(scene_file_find(name, &scene, NULL) == STATUS_OK);
     plan.path = scene;
     REQUIRE(run_file_write(&plan, NULL, NULL) == STATUS_OK);
     free(scene);
 }
 
 /* --- Files that somebody made on purpose, sealed as ours: a text that is many, a number
- * that is many, arrays far larger than their file, of another type, rank or shape. */
+ * that is many, arrays far larger than their file, of another type, rank or shape; and of
+ * a garment, whose pattern is read from arrays. */
 static const struct made {
     const char *name, *part; /* attribute if there is none such; in the sentence        */
-    int rank;
+    int rank;                /* 0: it is removed                                        */
     hsize_t size[5];
-    char kind;  /* 'a': numbers of an attribute, 't': texts of one, 'c': texts          */
+    char kind;  /* 'a': numbers of an attribute, 't': texts of one, 'c': texts, 'n': NaN
+                   in its shape, 'm': in the attribute                                  */
     bool zeros; /* written, else the array is not there                                 */
 } made[] = {
     {"outcome", ": has no text outcome", 1, {4000}, 't', true},
@@ -144,22 +148,62 @@ static const struct made {
     {"xyz", ": is not a result file", 5, {1, 2, 100, 100, 4}, 0, true},
     {"xyz", ": is not a result file", 4, {1, 2, 100, 100}, 0, true}};
 
+static const struct made garment[] = {
+    {"surface", ": has no surface/triangle", 0},
+    {"surface/triangle", ": has no surface/triangle", 0},
+    {"surface/triangle", ": its surface is no triangles", 2, {9, 3}, 0, true},
+    {"surface/triangle", ": its surface is no triangles", 2, {9, 4}, 0, true},
+    {"surface/triangle", ": its surface is no triangles", 1, {9}, 0, true},
+    {"surface/uv", ": has no surface/uv", 0},
+    {"surface/uv", ": its surface is no triangles", 2, {9, 2}, 0, true},
+    {"surface/uv", ": its surface is no triangles", 2, {9, 3}, 0, true},
+    {"surface/uv", ": its surface is no triangles", 0, {0}, 'n'},
+    {"surface/start", ": its surface is no triangles", 2, {9, 3}, 0, true},
+    {"surface/start", ": its surface is no triangles", 0, {0}, 'n'},
+    {"corner_u", ": its surface is no triangles", 0, {0}, 'm'},
+    {"length", ": its surface is no triangles", 0, {0}, 'm'},
+    {"width", ": has no number width", 0, {0}, 'a'},
+    {"support_0", ": support_0 is no triangles", 2, {9, 5}, 0, true},
+    {"support_0", ": support_0 is no triangles", 0, {0}, 'n'}};
+
+/* Writes NaN in place of all numbers that an array or an attribute has. */
+static void spoil(hid_t file, const struct made *m)
+{
+    static double nothing[30000];
+    hid_t id = m->kind == 'm' ? H5Aopen(file, m->name, H5P_DEFAULT)
+                              : H5Dopen2(file, m->name, H5P_DEFAULT);
+
+    for (int n = 0; n < 30000; n++)
+        nothing[n] = NAN;
+    REQUIRE(m->kind == 'm' || H5Dget_storage_size(id) <= sizeof nothing);
+    REQUIRE((m->kind == 'm' ? H5Awrite(id, H5T_NATIVE_DOUBLE, nothing)
+                            : H5Dwrite(id, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
+                                       nothing)) >= 0);
+    H5Idec_ref(id);
+}
+
 /* Replaces what has that name; `least` takes the place of a side of 0. */
 static void put(hid_t file, const struct made *m, hsize_t least)
 {
     static const double zeros[100000]; /* one frame has 60,000 */
     const bool attribute = m->kind == 'a' || m->kind == 't';
     const hid_t type = m->kind == 't' || m->kind == 'c' ? H5T_C_S1 : H5T_NATIVE_DOUBLE;
-    hid_t create = H5Pcreate(H5P_DATASET_CREATE);
     hsize_t size[5], chunk[5] = {1, 1, 1, 1, 1};
 
+    if (m->kind == 'n' || m->kind == 'm') {
+        spoil(file, m);
+        return;
+    }
+    REQUIRE((attribute ? H5Adelete(file, m->name)
+                       : H5Ldelete(file, m->name, H5P_DEFAULT)) >= 0);
+    if (!m->rank)
+        return;
+    hid_t create = H5Pcreate(H5P_DATASET_CREATE);
     for (int n = 0; n < m->rank; n++)
         size[n] = m->size[n] ? m->size[n] : least;
     hid_t space = H5Screate_simple(m->rank, size, NULL);
     if (!m->zeros)
         H5Pset_chunk(create, m->rank, chunk);
-    REQUIRE((attribute ? H5Adelete(file, m->name)
-                       : H5Ldelete(file, m->name, H5P_DEFAULT)) >= 0);
     hid_t id = attribute ? H5Acreate2(file, m->name, type, space, H5P_DEFAULT, H5P_DEFAULT)
                          : H5Dcreate2(file, m->name, type, space, H5P_DEFAULT, create,
                                       H5P_DEFAULT);
@@ -175,22 +219,23 @@ static void put(hid_t file, const struct made *m, hsize_t least)
 
 /* Reads runs that were changed so: the sentence begins with the file's name and has a part.
  */
-static void made_on_purpose(const char *good, const char *bad)
+static void made_on_purpose(const char *good, const char *bad, size_t count,
+                            const struct made *with)
 {
     long size;
     unsigned char *bytes = read_all(good, &size);
 
-    for (size_t n = 0; n < sizeof made / sizeof *made; n++) {
+    for (size_t n = 0; n < count; n++) {
         struct message why = {""};
         write_all(bad, bytes, size);
         hid_t file = H5Fopen(bad, H5F_ACC_RDWR, H5P_DEFAULT);
         REQUIRE(file >= 0);
-        put(file, &made[n], (hsize_t)size - 2000);
+        put(file, &with[n], (hsize_t)size - 2000);
         REQUIRE(H5Fclose(file) >= 0 && seal_write(bad, NULL) == STATUS_OK);
         CHECK(read_run(bad, &why) != STATUS_OK);
         if (!CHECK(!strncmp(why.text, bad, strlen(bad)) && !strchr(why.text, '\n') &&
-                   strstr(why.text, made[n].part)))
-            printf("  said: %s\n", why.text);
+                   strstr(why.text, with[n].part)))
+            printf("  %s, %s, said: %s\n", with[n].name, with[n].part, why.text);
     }
     free(bytes);
 }
@@ -199,9 +244,12 @@ int main(void)
 {
     scratch_open();
     const char *good = scratch_path("run.h5"), *bad = scratch_path("damaged.h5");
-    make_run(good);
+    make_run(good, "iga_linear", "edge_drop");
     try_all(good, bad, read_run);
-    made_on_purpose(good, bad);
+    made_on_purpose(good, bad, sizeof made / sizeof *made, made);
+    make_run(good, "triangles", "skirt");
+    CHECK(read_run(good, NULL) == STATUS_OK);
+    made_on_purpose(good, bad, sizeof garment / sizeof *garment, garment);
     try_all(SOURCE_DIR "/bench/truths/sphere.h5", bad, read_truth);
     return check_result();
 }

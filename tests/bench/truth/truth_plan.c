@@ -208,6 +208,7 @@ static const struct pair {
     {"edge_drop", "supports=[{at: {u: 0}, fix: xyz, from: 0.1}]",
      "supports=[{at: {u: 0}, fix: xyz, from: 0.1, until: 0.2}]"},
     {"moving_edge", NULL, HELD("u: 0")},
+    {"disc", HELD("vertices: [632, 677]"), HELD("vertices: [1, 632, 677]")}, /* one box */
     {"moving_edge", LED("[0,0,0,0],[1,0,0,1]"), LED("[0,0,0,0],[2,0,0,1]")},
     {"moving_edge", LED("[0,0,0,0],[1,0,0,1]"), LED("[0,0,0,0],[1,1,0,1]")},
     {"moving_edge", LED("[0,0,0,0],[1,0,0,1]"), LED("[0,0,0,0],[1,0,1,1]")},

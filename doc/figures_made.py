@@ -4,6 +4,7 @@ A function makes the table of its name; CHARTS at the end has those of charts.
 doc/results/NAME.csv is what a command printed with --format csv, behind a line that says which
 command, commit, processor and day (doc/refresh).
 """
+import csv
 import functools
 import itertools
 import math
@@ -517,16 +518,35 @@ def fabrics():
     return by_scene([""], scenes, [[model] + [cell(of, model) for of in scenes.values()]
                                    for model in grouped(rows, "model")], "error_bar")
 
-def denim():
+def by_calculix(first, sheets):
     """A row for each table of CalculiX's: how far contestants are from it, and its own bar."""
-    rows = [r for _, rows in result("verify_outside") for r in rows if "denim" in r["quantity"]]
+    rows = [r for _, rows in result("verify_outside") for r in rows
+            if re.match(rf"calculix_{sheets}_(rest|motion)", r["quantity"])]
     titles, made = list(grouped(rows, "model")), []
     for quantity, run in grouped(rows, "quantity").items():
-        name, when = re.match(r"calculix_denim_(\w+)_(rest|motion)", quantity).groups()
+        name, when = re.match(r"calculix_(?:denim_)?(\w+)_(rest|motion)", quantity).groups()
         made.append([f"`{name}`", "at rest" if when == "rest" else "until 0.3 s",
                      percent(100 * float(run[0]["error_bar"]))] +
                     [percent(100 * float(of[0]["error"])) if (of := where(run, model=t)) else "-" for t in titles])
-    return markdown(["denim", "", "CalculiX's bar"] + titles, made)
+    return markdown([first, "", "CalculiX's bar"] + titles, made)
+
+def denim():
+    return by_calculix("denim", r"denim_\w+")
+
+def outlines():
+    return by_calculix("", "(trapezoid|hole)")
+
+def weaves():
+    """A row a fabric: the least and the largest of its starts, and what is published."""
+    lines = (TOP / "tests/reference/drape_published.csv").read_text().splitlines()
+    published = {r["fabric"]: r for r in csv.DictReader(line for line in lines if line[0] != "#")}
+
+    def of(rows, column, scale, count):
+        return " to ".join(digits(scale * f(number(r[column]) for r in rows), count) for f in (min, max))
+
+    return markdown(["", "drape coefficient", "published", "folds"], [
+        [fabric, of(rows, "drape", 100, 2) + " %", "{low} to {high} %".format(**published[fabric]), of(rows, "folds", 1, 1)]
+        for fabric, rows in grouped(part("study_weaves", "", "drape"), "fabric").items()])
 
 def speed_against_error():
     """A model is better the lower and the further left its line is."""

@@ -1297,8 +1297,11 @@ static void put_title(const struct export_job *j, struct output *out)
         snprintf(number, sizeof number, "%d", c->sheets);
 
     output_print(out, "# %s for your simulator\n\n%s %s sheet%s %g m (u) by %g m (v), ",
-                 c->name, number, scene_shape_words[c->shape],
-                 c->sheets > 1 ? "s, each" : ",", c->length, c->width);
+                 c->name, number, is_sewn(&j->sheet) ? "sewn" : scene_shape_words[c->shape],
+                 c->sheets > 1 ? "s, each"
+                 : c->pattern  ? ", whose pattern lies in a box of"
+                               : ",",
+                 c->length, c->width);
     if (c->is_fabric)
         output_print(out, "a fabric of %g kg/m^2, h_eff = %g m", c->fabric.areal_density,
                      c->thickness);
@@ -1326,7 +1329,9 @@ static void put_title(const struct export_job *j, struct output *out)
             export_sheet_columns(&j->sheet), points[0], points[0] - 1, points[1] - 1,
             c->sheets);
     else if (j->sheet.mesh)
-        output_print(out, "\nVertices are those that your faces name, in your order.");
+        output_print(
+            out, c->pattern ? "\nVertices are numbered as in rest.obj."
+                            : "\nVertices are those that your faces name, in your order.");
     else
         output_print(out, "\nVertex j %d + i is at u = i/%d, v = j/%d.", points[0],
                      points[0] - 1, points[1] - 1);
@@ -1513,7 +1518,10 @@ static void put_fabric_parameters(const struct export_job *j, struct output *out
         Y[LAW_WEFT] * law.thickness * law.thickness / 12 / B[LAW_WEFT],
         Y[LAW_SHEAR] * law.thickness * law.thickness / 12 / B[LAW_SHEAR]);
     put_softening(j, out);
-    if (j->scene.shape == SCENE_FLAT && law_is_aligned(&law))
+    if (j->sheet.mesh)
+        output_print(out, "- springs and XPBD: none are told. Edges of a mesh run in all "
+                          "directions, a fabric's moduli do not;\n");
+    else if (j->scene.shape == SCENE_FLAT && law_is_aligned(&law))
         output_print(out,
                      "- springs and XPBD: `value` [N/m], `compliance` [m/N] along u, v "
                      "and diagonals. Lost: Y12, which is G\n  in a net of springs;\n");
@@ -1523,12 +1531,13 @@ static void put_fabric_parameters(const struct export_job *j, struct output *out
                      "this warp;\n");
     output_print(
         out,
-        "- angles between two triangles, k theta^2 / 2: k along u, v and diagonals. Lost: "
+        "- angles between two triangles, k theta^2 / 2: %s. Lost: "
         "what tells B12\n  from B66 in double curvature%s;\n"
         "- simulators with isotropic values only: E, nu, rho, h of the mean over all "
         "directions. Lost: the\n  weft's membrane is %.3g times, its bending %.3g times as "
         "stiff as the warp's, and shear is %.3g\n  times as stiff as this mean's. "
         "`clothbench study fabrics` measures what that costs.\n",
+        j->sheet.mesh ? "k of each edge in hinges.csv" : "k along u, v and diagonals",
         law_is_aligned(&law) ? "" : ", B13 and B23, which couple bending to twist",
         Y[LAW_WEFT] / Y[LAW_WARP], B[LAW_WEFT] / B[LAW_WARP],
         Y[LAW_SHEAR] * 2 * (1 + law.poisson) / (law.young * law.thickness));
@@ -1619,13 +1628,13 @@ static void put_score(const struct export_job *j, struct output *out)
         output_print(out, "What it is: %s.\n", known->source);
     const bool outlined = j->scene.pattern;
     output_print(out,
-                 "Every point of a 100 x 100 grid over (u,v) is compared, yours %s:\n\n    "
-                 "clothbench "
-                 "score %s\n\nprints the rms distance over the %s at each of these times, "
-                 "the truth's "
-                 "error bar, and what\nyour net alone would cost.\n",
+                 "Every point of a 100 x 100 grid over (u,v)%s is compared, yours %s:\n\n"
+                 "    clothbench score scene.yaml FRAMES%s\n\nprints the rms distance over "
+                 "the %s at each of these times, the truth's error bar, and what\nyour net "
+                 "alone would cost.\n",
+                 outlined ? " that is on the sheet" : "",
                  outlined ? "linear in the triangles" : "bilinear between vertices",
-                 outlined ? "SCENE FRAMES --rest rest.obj" : "scene.yaml FRAMES",
+                 outlined ? " --rest rest.obj" : "",
                  outlined ? "square root of the area" : "length");
 }
 

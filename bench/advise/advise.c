@@ -9,6 +9,7 @@
 #include "bench/harness/deadline.h"
 #include "bench/harness/timing.h"
 #include "models/clock.h"
+#include "models/pattern.h"
 
 /* --- the search --- */
 
@@ -322,30 +323,36 @@ static void say_command(const struct advise_search *s, const struct contest_row 
     fputs("\n\n", file);
 }
 
-/* Says the masses and stiffnesses of the net, if it is one of points; they are
- * advise_net.csv in the folder, too. */
+/* Says the masses and stiffnesses of the net, if it is a grid of points; they are
+ * advise_net.csv in the folder, too. Of any other net of points it says who writes them. */
 static enum status say_net(const struct advise_search *s, const struct contest_row *r,
                            struct printer *p, struct message *why)
 {
     const struct contestant *who = r->at.contestant;
+    const struct pattern *own = scene_of(s)->pattern;
     const struct export_sheet sheet = {
         .scene = scene_of(s),
         .points = {r->at.size[CONTEST_NET], r->at.size[CONTEST_ACROSS]}};
+    char points[64] = "";
 
     if (who->layers || who->degree != 1)
         return STATUS_OK;
-    struct dataset *t = export_numbers_table(&sheet);
+    struct dataset *t = own ? NULL : export_numbers_table(&sheet);
     if (!printer_is_prose(p)) {
-        const enum status st = printer_save(p, t, "advise_net", why);
+        const enum status st = t ? printer_save(p, t, "advise_net", why) : STATUS_OK;
         dataset_destroy(t);
         return st;
     }
-    CALL(printer_table(p, t, "advise_net", why));
+    if (t)
+        CALL(printer_table(p, t, "advise_net", why));
+    if (!own || !own->mesh.nodes)
+        snprintf(points, sizeof points, " --points %d,%d", sheet.points[0],
+                 sheet.points[1]);
     fprintf(
         p->file,
-        "This command writes every vertex and spring of it:\n\n    clothbench export %s "
-        "--points %d,%d --out DIR\n\n",
-        s->job->path, sheet.points[0], sheet.points[1]);
+        "This command writes every vertex and spring of it:\n\n    clothbench export %s%s "
+        "--out DIR\n\n",
+        s->job->path, points);
     return STATUS_OK;
 }
 

@@ -1193,7 +1193,12 @@ static void put_vertices(const struct scene *s, const struct scene_support *supp
         output_print(out, last < 0 ? "%d" : ", %d", node + 1);
         last = node;
     }
-    output_print(out, "]}\n");
+    const bool whole = support->lo[2] <= 0 && support->hi[2] >= 1;
+    put_words(out,
+              whole                              ? "]}\n"
+              : support->lo[2] == support->hi[2] ? "], w: #}\n"
+                                                 : "], w: [#, #]}\n",
+              (double[]){support->lo[2], support->hi[2]});
 }
 
 static void put_supports(const struct scene *s, struct output *out)
@@ -1297,7 +1302,8 @@ static void put_title(const struct export_job *j, struct output *out)
         snprintf(number, sizeof number, "%d", c->sheets);
 
     output_print(out, "# %s for your simulator\n\n%s %s sheet%s %g m (u) by %g m (v), ",
-                 c->name, number, is_sewn(&j->sheet) ? "sewn" : scene_shape_words[c->shape],
+                 c->name, number,
+                 is_sewn(&j->sheet) ? "garment's" : scene_shape_words[c->shape],
                  c->sheets > 1 ? "s, each"
                  : c->pattern  ? ", whose pattern lies in a box of"
                                : ",",
@@ -1413,8 +1419,9 @@ static void put_physics(const struct export_job *j, struct output *out)
     if (needs & SCENE_NEED_CONTACT)
         output_print(out,
                      "- Obstacles%s: obstacles.csv; normals point outward; "
-                     "Coulomb friction. The sheet's faces, h/2 off its middle, touch.\n",
-                     needs & SCENE_NEED_MOVING_OBSTACLES ? "" : " stand still");
+                     "Coulomb friction. The sheet's faces, %g m off its middle, touch.\n",
+                     needs & SCENE_NEED_MOVING_OBSTACLES ? "" : " stand still",
+                     (c->contact.thickness > 0 ? c->contact.thickness : c->thickness) / 2);
     if (needs & SCENE_NEED_CONTACT && !in_table(c))
         output_print(
             out, "  obstacles.csv has all there is to a `plane` or `sphere`; the rest of "

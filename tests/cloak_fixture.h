@@ -32,8 +32,8 @@ static inline void *create(const struct model *model, const struct scene *s,
     struct message why = {{0}};
     void *state = NULL;
 
-    if (!CHECK(model_create(model, s, d, &state, &why) == STATUS_OK))
-        printf("%s: %s\n", model->name, why.text);
+    CHECK_SAY(model_create(model, s, d, &state, &why) == STATUS_OK, "%s: %s", model->name,
+              why.text);
     REQUIRE(state);
     return state;
 }

@@ -51,8 +51,8 @@ static inline void *create(const struct model *model, const struct scene *scene,
     struct message why = {{0}};
     void *state = NULL;
 
-    if (!CHECK(model_create(model, scene, d, &state, &why) == STATUS_OK))
-        printf("%s: %s\n", model->name, why.text);
+    CHECK_SAY(model_create(model, scene, d, &state, &why) == STATUS_OK, "%s: %s",
+              model->name, why.text);
     REQUIRE(state);
     return state;
 }

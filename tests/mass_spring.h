@@ -57,8 +57,8 @@ static inline void springs_start(struct springs *s)
 {
     struct message why = {{0}};
 
-    if (!CHECK(spring_motion_init(&s->m, &s->scene, &s->d, &why) == STATUS_OK))
-        printf("%s\n", why.text);
+    CHECK_SAY(spring_motion_init(&s->m, &s->scene, &s->d, &why) == STATUS_OK, "%s",
+              why.text);
     REQUIRE(s->m.net.x);
 }
 

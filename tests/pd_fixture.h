@@ -32,8 +32,7 @@ static inline void pd_fixture_motion(struct pd_motion *m, const struct scene *sc
                                      const struct pd_options *options)
 {
     struct message why = {{0}};
-    if (!CHECK(pd_motion_init(m, scene, options, &why) == STATUS_OK))
-        printf("%s\n", why.text);
+    CHECK_SAY(pd_motion_init(m, scene, options, &why) == STATUS_OK, "%s", why.text);
     REQUIRE(m->x);
 }
 

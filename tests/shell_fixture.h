@@ -42,9 +42,9 @@ static inline void shell_curved(struct shell_space *space, int p, int n, int q, 
             x[2] = 0.3 * u * u - 0.2 * u * v + 0.1 * v * v;
             weight[i * m + j] = 1 + 0.3 * shell_random(&seed);
         }
-    if (!CHECK(shell_space_init(space, basis, point, weights ? weight : NULL, gauss,
-                                selective, &why) == STATUS_OK))
-        printf("%s\n", why.text);
+    CHECK_SAY(shell_space_init(space, basis, point, weights ? weight : NULL, gauss,
+                               selective, &why) == STATUS_OK,
+              "%s", why.text);
     bspline_clear(&basis[0]);
     bspline_clear(&basis[1]);
     free(point);

@@ -40,8 +40,7 @@ static inline char *study_squeeze(char *text)
 
 static inline void study_wants(const char *text, const char *want)
 {
-    if (!CHECK(strstr(text, want)))
-        printf("  wanted: %s\n  in: %s\n", want, text);
+    CHECK_SAY(strstr(text, want), "wanted: %s\n  in: %s", want, text);
 }
 
 /* A stream in memory. */

@@ -46,8 +46,7 @@ static void check_bad(const char *word)
     field.times = -1;
     CHECK(freefem_read(bad, &field, &why) == STATUS_INPUT);
     CHECK(field.times == -1); /* untouched */
-    if (!CHECK(strstr(why.text, word) && strstr(why.text, bad)))
-        printf("  said: %s\n", why.text);
+    CHECK_SAY(strstr(why.text, word) && strstr(why.text, bad), "said: %s", why.text);
 }
 
 static void check_fields(void)

@@ -19,8 +19,8 @@ static void check_said(const struct message *why, const char *said)
 {
     const size_t length = strlen(path);
 
-    if (!CHECK(!strncmp(why->text, path, length) && !strcmp(why->text + length, said)))
-        printf("  got  %s\n  want %s%s\n", why->text, path, said);
+    CHECK_SAY(!strncmp(why->text, path, length) && !strcmp(why->text + length, said),
+              "got  %s\n  want %s%s", why->text, path, said);
 }
 
 static void check_reads(void)

@@ -91,10 +91,10 @@ static void check_held(void)
         struct scene_support s = {{0, rows[n].lo}, {1, rows[n].hi, 1}, .fix = FIX_XYZ};
         const struct scene scene = {.support_count = 1, .supports = &s};
         REQUIRE(support_knots_hold(&scene, basis, &held) == STATUS_OK);
-        if (!CHECK(held->lo[1] == fmin(rows[n].lo, rows[n].to_lo) &&
-                   held->hi[1] == fmax(rows[n].hi, rows[n].to_hi) && held->lo[0] == 0 &&
-                   held->hi[0] == 1))
-            printf("row %zu: %g to %g\n", n, held->lo[1], held->hi[1]);
+        CHECK_SAY(held->lo[1] == fmin(rows[n].lo, rows[n].to_lo) &&
+                      held->hi[1] == fmax(rows[n].hi, rows[n].to_hi) && held->lo[0] == 0 &&
+                      held->hi[0] == 1,
+                  "row %zu: %g to %g", n, held->lo[1], held->hi[1]);
         free(held);
     }
     for (size_t n = 0; n < LENGTH(loose); n++) {

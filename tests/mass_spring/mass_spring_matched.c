@@ -184,10 +184,9 @@ static void check_bending(void)
         for (int level = 1; level < 3; level++) {
             const double least_rate = 1.8; /* 2 and terms of second order */
             double rate = error[level - 1][k] / error[level][k];
-            if (!CHECK(rate > least_rate &&
-                       fabs(error[level][k]) < 2. / (8 << level) * 1.2))
-                printf("curvature %d, level %d: error %g, rate %g\n", k, level,
-                       error[level][k], rate);
+            CHECK_SAY(rate > least_rate && fabs(error[level][k]) < 2. / (8 << level) * 1.2,
+                      "curvature %d, level %d: error %g, rate %g", k, level,
+                      error[level][k], rate);
         }
     scene_clear(&scene);
 }

@@ -38,10 +38,10 @@ static struct obstacle_mesh *make(void)
     struct obstacle_mesh *mesh = NULL;
     struct message why = {""};
 
-    if (!CHECK(body_mesh_make(given.vertices, (const double(*)[3])given.vertex,
-                              given.triangles, (const int(*)[3])given.triangle, &mesh,
-                              &why) == STATUS_OK))
-        printf("  %s\n", why.text);
+    CHECK_SAY(body_mesh_make(given.vertices, (const double(*)[3])given.vertex,
+                             given.triangles, (const int(*)[3])given.triangle, &mesh,
+                             &why) == STATUS_OK,
+              "%s", why.text);
     return mesh;
 }
 
@@ -303,10 +303,10 @@ static void check_files(void)
         why.text[0] = '\0';
         const enum status st = mesh_file_read(path, (double[3]){1, 2, 3}, 2, &mesh, &why);
         const char *want = files[k].sentence;
-        if (!CHECK(want ? st == STATUS_INPUT && !mesh && strstr(why.text, want) &&
-                              !strncmp(why.text, path, strlen(path))
-                        : st == STATUS_OK && mesh))
-            printf("  file %zu: status %d, '%s'\n", k, st, why.text);
+        CHECK_SAY(want ? st == STATUS_INPUT && !mesh && strstr(why.text, want) &&
+                             !strncmp(why.text, path, strlen(path))
+                       : st == STATUS_OK && mesh,
+                  "file %zu: status %d, '%s'", k, st, why.text);
         if (mesh) /* scaled, then moved; the face's corner is where it was 1 0 0 */
             CHECK_NEAR(body_mesh_distance(mesh, (double[3]){3.5, 2, 3}, 9, NULL), 0.5,
                        rounding);

@@ -250,9 +250,9 @@ static void check_held_area(void)
             way[strip] = way_of(&plan, tip, 2, NULL, &r, &told);
             settings_clear(&plan.settings);
         }
-        if (!CHECK(fabs(way[1] - way[0]) < SAME))
-            printf("%s: the tip moves by %.9g m, and by %.9g with a strip held\n", who[n],
-                   way[0], way[1]);
+        CHECK_SAY(fabs(way[1] - way[0]) < SAME,
+                  "%s: the tip moves by %.9g m, and by %.9g with a strip held", who[n],
+                  way[0], way[1]);
     }
 }
 

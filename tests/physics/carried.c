@@ -128,8 +128,8 @@ static void check_ringing(void)
         opened_steps(&run, STEPS);
         run.model->energy(run.state, &e);
         const double lost = -(e.kinetic + e.elastic + e.potential) / STATIC_WORK;
-        if (!CHECK(lost > row[n].least && lost < row[n].most))
-            printf("  %s: lost %g\n", row[n].viscosity, lost);
+        CHECK_SAY(lost > row[n].least && lost < row[n].most, "%s: lost %g",
+                  row[n].viscosity, lost);
         run_close(&run);
     }
 }
@@ -156,10 +156,10 @@ static void check_relief(void)
         work[n] = opened_steps(&run, 100);
         run_close(&run);
     }
-    if (!CHECK(work[0].viscous > 0 && work[0].viscous < 50 && work[1].viscous == 0 &&
-               (double)work[0].assemblies < SPARED * (double)work[1].assemblies))
-        printf("  relief: %ld and %ld tangents, %ld and %ld steps with viscosity\n",
-               work[0].assemblies, work[1].assemblies, work[0].viscous, work[1].viscous);
+    CHECK_SAY(work[0].viscous > 0 && work[0].viscous < 50 && work[1].viscous == 0 &&
+                  (double)work[0].assemblies < SPARED * (double)work[1].assemblies,
+              "relief: %ld and %ld tangents, %ld and %ld steps with viscosity",
+              work[0].assemblies, work[1].assemblies, work[0].viscous, work[1].viscous);
 }
 
 int main(void)

@@ -391,8 +391,7 @@ static void test_roof(const char *name, int n, int p, int l, enum remedy remedy)
     for (int e = 0; e < (half ? 2 : 3); e++)
         REQUIRE(!scene_add_support(&s, half ? &solid_end[e] : &shell_end[e]));
     void *state = create(model, &s, &d);
-    if (!CHECK(model->equilibrium(state, &counters, &why) == STATUS_OK))
-        printf("%s\n", why.text);
+    CHECK_SAY(model->equilibrium(state, &counters, &why) == STATUS_OK, "%s", why.text);
     scene_rest_point(&s, corner, rest);
     model->probe(state, 1, corner, x);
     printf("roof: %s %d x %d, p = %d: %.6f\n", name, n, n, p, rest[2] - x[2]);

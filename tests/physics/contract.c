@@ -287,8 +287,8 @@ static void check_equilibrium(const struct model *model, const struct scene *sce
         return;
     void *state = create(model, scene, d);
     xyz = new_field();
-    if (!CHECK(model->equilibrium(state, &counters, &why) == STATUS_OK))
-        printf("%s: %s\n", model->name, why.text);
+    CHECK_SAY(model->equilibrium(state, &counters, &why) == STATUS_OK, "%s: %s",
+              model->name, why.text);
     model_sample(model, state, xyz);
     CHECK(all_finite(xyz, FIELD) && metric_drop(scene, xyz) > 0 && counters.solves > 0);
     model_destroy(model, state);

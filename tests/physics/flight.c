@@ -35,8 +35,8 @@ static void check_partly_held(const struct model *model)
                    held[n][0], held[n][1]);
         motion_init(&m, run.model, &run.scene, run.state);
         REQUIRE(motion_run(&m, NULL, NULL, true, &why) == STATUS_OK);
-        if (!CHECK(!m.death && m.frames == m.frame_count))
-            printf("%s, %s: dies at %g s\n", model->name, held[n][0], m.death_time);
+        CHECK_SAY(!m.death && m.frames == m.frame_count, "%s, %s: dies at %g s",
+                  model->name, held[n][0], m.death_time);
         motion_clear(&m);
         scene_rest_point(&run.scene, edge, start);
         run.model->probe(run.state, 1, edge, x);
@@ -151,8 +151,8 @@ static void test_carried(void)
             for (int c = 0; c < 3; c++)
                 xyz[3 * n + c] += carried[r].shift[c];
         xyz[3 * (GRID_POINTS - 1) + 1] += carried[r].corner;
-        if (!CHECK(metric_blowup(&scene, carried[r].t, xyz) == carried[r].want))
-            printf("row %zu\n", r);
+        CHECK_SAY(metric_blowup(&scene, carried[r].t, xyz) == carried[r].want, "row %zu",
+                  r);
         scene_clear(&scene);
         free(xyz);
     }

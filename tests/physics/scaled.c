@@ -82,10 +82,7 @@ static int move(const struct row *row, enum driven by, double unit, double *x)
 
     describe(&plan.settings, by, unit);
     set_words(&plan.settings, row->settings);
-    if (!CHECK(run_open(&run, &plan, &why) == STATUS_OK)) {
-        printf("%s: %s\n", row->model, why.text);
-        exit(1);
-    }
+    REQUIRE_SAY(run_open(&run, &plan, &why) == STATUS_OK, "%s: %s", row->model, why.text);
     for (int n = 0; n < FRAMES; n++) {
         struct model_contact c;
         opened_steps(&run, 1);

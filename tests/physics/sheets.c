@@ -100,8 +100,7 @@ static void read_sheet(struct run *run, const struct row *row, const char *dampi
               "snapshots=[];time={step: 0.005, end: 10};discretization.points=[7,6]");
     settings_set(&plan.settings, damping);
     set_words(&plan.settings, row->settings);
-    if (!CHECK(run_read(run, &plan, &why) == STATUS_OK))
-        printf("%s\n", why.text);
+    CHECK_SAY(run_read(run, &plan, &why) == STATUS_OK, "%s", why.text);
     settings_clear(&plan.settings);
 }
 
@@ -249,8 +248,7 @@ static void open_pair(struct run *run, const struct meeting *m, const char *sett
     set_words(&plan.settings, settings);
     set_words(&plan.settings, m->settings);
     set_words(&plan.settings, more);
-    if (!CHECK(run_open(run, &plan, &why) == STATUS_OK))
-        printf("%s\n", why.text);
+    CHECK_SAY(run_open(run, &plan, &why) == STATUS_OK, "%s", why.text);
     settings_clear(&plan.settings);
 }
 

@@ -218,16 +218,13 @@ static bool move(const struct contestant *c, const char *scene, const char *sett
 
     set_words(&plan.settings, settings);
     contestant_points(c, 6, 5, &plan.settings);
-    if (!CHECK(run_read(&run, &plan, &why) == STATUS_OK)) {
-        printf("%s: %s\n", c->name, why.text);
-        exit(1);
-    }
+    REQUIRE_SAY(run_read(&run, &plan, &why) == STATUS_OK, "%s: %s", c->name, why.text);
     settings_clear(&plan.settings);
     if (kind < KINDS)
         change(&run.scene, kind);
     const enum status st = run_build(&run, &why);
-    if (!CHECK(st == STATUS_OK || (st == STATUS_UNSUPPORTED && kind == KINDS)))
-        printf("%s: %s\n", c->name, why.text);
+    CHECK_SAY(st == STATUS_OK || (st == STATUS_UNSUPPORTED && kind == KINDS), "%s: %s",
+              c->name, why.text);
     if (st == STATUS_OK)
         opened_steps(&run, frames);
     for (int n = 0; st == STATUS_OK && n < NODES; n++) {

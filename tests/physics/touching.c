@@ -78,14 +78,13 @@ static void check_row(const struct row *row)
     settings_set(&plan.settings, "snapshots=[]");
     set_words(&plan.settings, row->settings);
     REQUIRE(xyz);
-    if (!CHECK(run_open(&run, &plan, &why) == STATUS_OK))
-        printf("%s\n", why.text);
+    CHECK_SAY(run_open(&run, &plan, &why) == STATUS_OK, "%s", why.text);
     motion_init(&m, run.model, &run.scene, run.state);
-    if (!CHECK(motion_run(&m, NULL, NULL, true, &why) == STATUS_OK))
-        printf("%s %s: %s\n", row->scene, row->contestant, why.text);
+    CHECK_SAY(motion_run(&m, NULL, NULL, true, &why) == STATUS_OK, "%s %s: %s", row->scene,
+              row->contestant, why.text);
     model_sample(run.model, run.state, xyz);
-    if (!CHECK(metric_intersections(&run.scene, xyz) == 0))
-        printf("%s %s goes through itself\n", row->scene, row->contestant);
+    CHECK_SAY(metric_intersections(&run.scene, xyz) == 0, "%s %s goes through itself",
+              row->scene, row->contestant);
     if (row->whole)
         check_fold(&run.scene, xyz);
     motion_clear(&m);

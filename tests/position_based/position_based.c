@@ -22,8 +22,7 @@ static void begin(struct constraints *s)
 {
     struct message why = {{0}};
 
-    if (!CHECK(pb_motion_init(&s->m, &s->scene, &s->d, &why) == STATUS_OK))
-        printf("%s\n", why.text);
+    CHECK_SAY(pb_motion_init(&s->m, &s->scene, &s->d, &why) == STATUS_OK, "%s", why.text);
     REQUIRE(s->m.net.x);
 }
 
@@ -161,8 +160,8 @@ static void check_rest(int n, int m, double nu, unsigned fix, double thickness)
     frames(&s, 300);
     for (int k = 0; k < 3; k++) {
         double off = slope(&s.m, k);
-        if (!CHECK(off < tolerance))
-            printf("%d x %d, nu = %g: slope %.2e of the loads'\n", n, m, nu, off);
+        CHECK_SAY(off < tolerance, "%d x %d, nu = %g: slope %.2e of the loads'", n, m, nu,
+                  off);
     }
     clear(&s);
 }

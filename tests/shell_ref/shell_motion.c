@@ -55,9 +55,8 @@ static void check_held(void)
         OPENED_RUN(&run, "cantilever", "shell_2", "discretization.points=[10,10]",
                    poses[n % 2], supports);
         run.model->size(run.state, &size);
-        if (!CHECK(size.unknowns == 300 - rows[n / 2].held))
-            printf("%s, %s: %ld unknowns\n", poses[n % 2], rows[n / 2].supports,
-                   size.unknowns);
+        CHECK_SAY(size.unknowns == 300 - rows[n / 2].held, "%s, %s: %ld unknowns",
+                  poses[n % 2], rows[n / 2].supports, size.unknowns);
         run_close(&run);
     }
 }

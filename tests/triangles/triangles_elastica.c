@@ -90,8 +90,7 @@ static double frequency_error(const char *name, int seed, int points)
     REQUIRE(m);
     fill_scene(&scene, &stiff);
     open_model(m, &scene, name, seed, points, BENDING_MIDEDGE, TRI_ARC_OFF);
-    if (!CHECK(tri_model.modes(m, 1, &omega, &why) == STATUS_OK))
-        printf("%s: %s\n", name, why.text);
+    CHECK_SAY(tri_model.modes(m, 1, &omega, &why) == STATUS_OK, "%s: %s", name, why.text);
     tri_model.clear(m);
     free(m);
     scene_clear(&scene);
@@ -112,8 +111,8 @@ static double error_on(const struct strip *strip, const char *name, int seed, in
     REQUIRE(m);
     fill_scene(&scene, strip);
     open_model(m, &scene, name, seed, points, bending, arc);
-    if (!CHECK(tri_model.equilibrium(m, &counters, &why) == STATUS_OK))
-        printf("%s: %s\n", name, why.text);
+    CHECK_SAY(tri_model.equilibrium(m, &counters, &why) == STATUS_OK, "%s: %s", name,
+              why.text);
     elastica(strip, at);
     for (int n = 0; n < SAMPLES; n++)
         for (int k = 0; k < SAMPLES; k++) {
@@ -159,8 +158,7 @@ static void check_morley(const char *name, bool own)
         REQUIRE(!scene_add_support(&scene, &foot));
     }
     open_model(m, &scene, own ? NULL : path[1], 0, 2, BENDING_MIDEDGE, TRI_ARC_OFF);
-    if (!CHECK(tri_model.equilibrium(m, &counters, &why) == STATUS_OK))
-        printf("%s\n", why.text);
+    CHECK_SAY(tri_model.equilibrium(m, &counters, &why) == STATUS_OK, "%s", why.text);
     CHECK(reference_rows(table) > 100);
     for (int n = 0; n < reference_rows(table); n++) {
         const double uvw[3] = {reference_number(table, n, "x") / size[0],

@@ -104,8 +104,7 @@ static void ranking(const char *folder)
     const char *at = printed(&s, TABLE_CSV);
     for (int n = 0; n < 4; n++) {
         const char *row = strstr(at, rows[n]);
-        if (!CHECK(row))
-            printf("  '%s' is not in\n%s\n", rows[n], at);
+        CHECK_SAY(row, "'%s' is not in\n%s", rows[n], at);
         at = row ? row : at;
     }
     world.job.found = NULL;

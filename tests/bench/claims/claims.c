@@ -203,9 +203,9 @@ static void check_each_turned(const struct turns *t)
             if (claim_of(t->plan, t->turn[n].quote) == c)
                 seen[t->turn[n].want] = true;
         const bool both = seen[VERDICT_HOLDS] && seen[VERDICT_FAILS];
-        if (!CHECK(both ||
-                   (seen[VERDICT_OPEN] && !seen[VERDICT_HOLDS] && !seen[VERDICT_FAILS])))
-            printf("  %s: \"%s\" is not turned both ways\n", t->plan, c->quote);
+        CHECK_SAY(both ||
+                      (seen[VERDICT_OPEN] && !seen[VERDICT_HOLDS] && !seen[VERDICT_FAILS]),
+                  "%s: \"%s\" is not turned both ways", t->plan, c->quote);
     }
 }
 

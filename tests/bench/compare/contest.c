@@ -151,11 +151,10 @@ static void check_cells(const struct csv_table *t, int row, const char *cells)
         const int column = csv_column(t, cell);
         REQUIRE(column >= 0 && row < t->rows);
         const double number = strtod(text, &end);
-        if (!CHECK(*text && !*end
-                       ? fabs(csv_number(t, row, column) - number) <= TOL_SUM * number
-                       : !strcmp(csv_words(t, row, column), text)))
-            printf("  row %d, %s: %s, not %s\n", row, cell, csv_words(t, row, column),
-                   text);
+        CHECK_SAY(*text && !*end
+                      ? fabs(csv_number(t, row, column) - number) <= TOL_SUM * number
+                      : !strcmp(csv_words(t, row, column), text),
+                  "row %d, %s: %s, not %s", row, cell, csv_words(t, row, column), text);
     }
 }
 
@@ -167,9 +166,9 @@ static char *print(const struct contest *c, const char *folder)
     struct message why = {""};
 
     REQUIRE(file);
-    if (!CHECK(compare_print(c, &(struct printer){TABLE_TEXT, file, folder}, &why) ==
-               STATUS_OK))
-        printf("  %s\n", why.text);
+    CHECK_SAY(compare_print(c, &(struct printer){TABLE_TEXT, file, folder}, &why) ==
+                  STATUS_OK,
+              "%s", why.text);
     fclose(file);
     return text;
 }

@@ -90,8 +90,7 @@ static char *print(const char *folder, enum table_format format)
 
 static void has(const char *text, const char *line)
 {
-    if (!CHECK(strstr(text, line)))
-        printf("  '%s' is not in\n%s\n", line, text);
+    CHECK_SAY(strstr(text, line), "'%s' is not in\n%s", line, text);
 }
 
 int main(int argc, char **argv)

@@ -84,8 +84,8 @@ static char *print(const struct plan *plan, struct study *s, enum table_format f
 
 static void holds(const char *text, const char *part, bool wanted)
 {
-    if (!CHECK((strstr(text, part) != NULL) == wanted))
-        printf("  %s '%s' in:\n%s\n", wanted ? "no" : "there is", part, text);
+    CHECK_SAY((strstr(text, part) != NULL) == wanted, "%s '%s' in:\n%s",
+              wanted ? "no" : "there is", part, text);
 }
 
 static const char with_truth[] =

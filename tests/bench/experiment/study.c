@@ -70,10 +70,7 @@ static void measure(const struct plan *plan)
     const struct measurement_options options = {.quick = true};
     struct message why = {""};
 
-    if (!CHECK(study_measure(plan, folder, &options, &why) == STATUS_OK)) {
-        printf("%s\n", why.text);
-        exit(1);
-    }
+    REQUIRE_SAY(study_measure(plan, folder, &options, &why) == STATUS_OK, "%s", why.text);
 }
 
 /* A plate so light that the truth is Kirchhoff's; the shell converges to it. */

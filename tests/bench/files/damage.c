@@ -233,9 +233,9 @@ static void made_on_purpose(const char *good, const char *bad, size_t count,
         put(file, &with[n], (hsize_t)size - 2000);
         REQUIRE(H5Fclose(file) >= 0 && seal_write(bad, NULL) == STATUS_OK);
         CHECK(read_run(bad, &why) != STATUS_OK);
-        if (!CHECK(!strncmp(why.text, bad, strlen(bad)) && !strchr(why.text, '\n') &&
-                   strstr(why.text, with[n].part)))
-            printf("  %s, %s, said: %s\n", with[n].name, with[n].part, why.text);
+        CHECK_SAY(!strncmp(why.text, bad, strlen(bad)) && !strchr(why.text, '\n') &&
+                      strstr(why.text, with[n].part),
+                  "%s, %s, said: %s", with[n].name, with[n].part, why.text);
     }
     free(bytes);
 }

@@ -402,8 +402,7 @@ static void refused(const struct fixture *f, const char *path, const char *part)
         CHECK(output_close(&out, &why[2]) == STATUS_FILE);
     }
     for (int n = 0; n < 3; n++)
-        if (!CHECK(is_sentence(&why[n], part)))
-            printf("  %s: '%s'\n", path, why[n].text);
+        CHECK_SAY(is_sentence(&why[n], part), "%s: '%s'", path, why[n].text);
 }
 
 static void test_bad_targets(const struct fixture *f)

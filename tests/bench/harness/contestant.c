@@ -15,8 +15,8 @@ static void test_names(void)
             CHECK(islower(*at) || isdigit(*at) || *at == '_');
         CHECK(named(c->name) == c); /* no other of this name stands before it */
         for (const struct contestant *o = contestant_table; o < c; o++) {
-            if (!CHECK(strcmp(o->title, c->title) && strcmp(o->column, c->column)))
-                printf("  %s and %s look the same in tables\n", o->name, c->name);
+            CHECK_SAY(strcmp(o->title, c->title) && strcmp(o->column, c->column),
+                      "%s and %s look the same in tables", o->name, c->name);
         }
         CHECK(strlen(c->column) <= 16 && *c->title);
         CHECK(!strncmp(c->name, c->model->name, strlen(c->model->name)));
@@ -45,8 +45,8 @@ static int open_row(const struct contestant *c, const char *setting, struct run 
 
     contestant_points(c, points, points, &s);
     settings_set(&s, setting);
-    if (!CHECK(run_open(run, &(struct case_plan){DROP, c, s, 0}, &why) == STATUS_OK))
-        printf("  %s: %s\n", c->name, why.text);
+    CHECK_SAY(run_open(run, &(struct case_plan){DROP, c, s, 0}, &why) == STATUS_OK,
+              "%s: %s", c->name, why.text);
     settings_clear(&s);
     return points;
 }
@@ -98,8 +98,8 @@ static void test_no_scene_is_known(void)
             continue;
         two_frames(c, "name=edge_drop", here);
         two_frames(c, "name=corners_patch", there);
-        if (!CHECK(!memcmp(here, there, 3 * GRID_POINTS * sizeof *here)))
-            printf("  %s knows the scene by its name\n", c->name);
+        CHECK_SAY(!memcmp(here, there, 3 * GRID_POINTS * sizeof *here),
+                  "%s knows the scene by its name", c->name);
     }
     free(here);
     free(there);

@@ -57,8 +57,7 @@ static void reduce(enum status outcome)
         value[n] = -77; /* nothing is left as it was */
     looks_reduce(&looks, &sheet, outcome, outcome ? 0.35 : NAN, NULL, value);
     for (int n = 0; n < MEASURES; n++)
-        if (!CHECK(value[n] != -77))
-            printf("  %s is not there\n", measure_name(n));
+        CHECK_SAY(value[n] != -77, "%s is not there", measure_name(n));
 }
 
 /* The metric that a series is of. */
@@ -397,8 +396,8 @@ static void test_advice(void)
         if (!strstr(why.text, "integrator=leapfrog"))
             continue;
         named_explicit++;
-        if (!CHECK(has_explicit(model, &scene)))
-            printf("  %s has no explicit steps there\n", model->name);
+        CHECK_SAY(has_explicit(model, &scene), "%s has no explicit steps there",
+                  model->name);
     }
     CHECK(named_explicit == 3 && models > named_explicit); /* shell, springs, triangles */
     scene_clear(&scene);

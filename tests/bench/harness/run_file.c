@@ -34,8 +34,7 @@ static void read_back(bool fields, struct run_result *r)
 {
     struct message why = {""};
 
-    if (!CHECK(run_result_read(file, fields, r, &why) == STATUS_OK))
-        printf("  %s\n", why.text), exit(1);
+    REQUIRE_SAY(run_result_read(file, fields, r, &why) == STATUS_OK, "%s", why.text);
 }
 
 /* Writes a run and reads it back: the numbers are those that the run itself gave. */
@@ -47,8 +46,7 @@ static void write_run(const struct case_plan *plan, const struct run_keep *keep,
     struct case_plan c = *plan;
 
     c.keep = *keep;
-    if (!CHECK(run_file_write(&c, r, &why) == STATUS_OK))
-        printf("  %s\n", why.text);
+    CHECK_SAY(run_file_write(&c, r, &why) == STATUS_OK, "%s", why.text);
     if (!keep->file)
         return;
     read_back(true, &back);

@@ -23,8 +23,7 @@ static void read_row(const char *contestant, const char *settings, struct run *r
 
     settings_set(&plan.settings, "snapshots=[]");
     set_words(&plan.settings, settings);
-    if (!CHECK(run_read(run, &plan, &why) == STATUS_OK))
-        printf("%s\n", why.text);
+    CHECK_SAY(run_read(run, &plan, &why) == STATUS_OK, "%s", why.text);
     settings_clear(&plan.settings);
 }
 
@@ -64,8 +63,8 @@ static void check_doubts(void)
         if (at)
             CHECK(sscanf(at, "to t = %lg s they left %lg %%", &time, &share) == 2 &&
                   time > 0 && time <= 0.1);
-        if (!CHECK(runs[n].least <= share && share <= runs[n].most))
-            printf("row %d: '%s'\n", n, line.text);
+        CHECK_SAY(runs[n].least <= share && share <= runs[n].most, "row %d: '%s'", n,
+                  line.text);
         motion_clear(&m);
         run_close(&run);
         settings_clear(&plan.settings);
@@ -177,9 +176,8 @@ static void check_prescribed(void)
             REQUIRE(run_read(&run, &plan, NULL) == STATUS_OK && run.scene.length == 1);
             fill_value(value);
             value[MEASURE_STRETCH_MAX] = scenes[n].most * (more ? 1.01 : 0.99);
-            if (!CHECK(distrust(&run, value, &said) == more))
-                printf("%s, stretch %g: '%s'\n", scenes[n].settings,
-                       value[MEASURE_STRETCH_MAX], said.text);
+            CHECK_SAY(distrust(&run, value, &said) == more, "%s, stretch %g: '%s'",
+                      scenes[n].settings, value[MEASURE_STRETCH_MAX], said.text);
             run_close(&run);
             settings_clear(&plan.settings);
         }
@@ -228,8 +226,8 @@ static void check_nets(void)
         fill_value(value);
         value[MEASURE_LOAD_MAX] = 0.9; /* no body has carried the sheet */
         const bool told = distrust(&run, value, &said);
-        if (!CHECK(told == !!nets[n].said && (!told || strstr(said.text, nets[n].said))))
-            printf("%s, %s: '%s'\n", nets[n].contestant, nets[n].settings, said.text);
+        CHECK_SAY(told == !!nets[n].said && (!told || strstr(said.text, nets[n].said)),
+                  "%s, %s: '%s'", nets[n].contestant, nets[n].settings, said.text);
         run_close(&run);
     }
 }
@@ -252,8 +250,8 @@ static void check_turns(void)
             read_row("triangles", turns[n].settings, &run);
             fill_value(value);
             value[MEASURE_TURN_MAX] = turns[n].most * (more ? 1.01 : 0.99);
-            if (!CHECK(distrust(&run, value, &said) == more))
-                printf("%s: '%s'\n", turns[n].settings, said.text);
+            CHECK_SAY(distrust(&run, value, &said) == more, "%s: '%s'", turns[n].settings,
+                      said.text);
             run_close(&run);
         }
 }
@@ -292,9 +290,8 @@ static void check_fields(void)
     for (int n = 0; n < LENGTH(fields); n++) {
         fill(&run.scene, fields[n].stretch, fields[n].fold, xyz[1]);
         distrust_fields(&run.scene, 2, time, xyz, &said);
-        if (!CHECK(*fields[n].said ? strstr(said.text, fields[n].said) != NULL
-                                   : !*said.text))
-            printf("field %d: '%s'\n", n, said.text);
+        CHECK_SAY(*fields[n].said ? strstr(said.text, fields[n].said) != NULL : !*said.text,
+                  "field %d: '%s'", n, said.text);
     }
     run_close(&run);
     free(xyz[0]);

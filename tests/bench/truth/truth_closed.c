@@ -29,8 +29,8 @@ static void read_scene(const char *name, const char *const *set, struct scene *s
 
     settings_list(&settings, set ? 8 : 0, set);
     REQUIRE(scene_file_find(name, &path, NULL) == STATUS_OK);
-    if (!CHECK(truth_plan_scene(path, &settings, s, &why) == STATUS_OK))
-        printf("%s: %s\n", name, why.text);
+    CHECK_SAY(truth_plan_scene(path, &settings, s, &why) == STATUS_OK, "%s: %s", name,
+              why.text);
     settings_clear(&settings);
     free(path);
 }
@@ -178,8 +178,8 @@ static void shell_agrees(const char *name, double net)
     REQUIRE(run_settle(&run, &work, &why) == STATUS_OK);
     model_sample(run.model, run.state, found);
     double *xyz = field_at(&run.scene, run.scene.end, &error);
-    if (!CHECK(metric_rmse(found, xyz) <= error + net))
-        printf("%s: %g m apart, bar %g m\n", name, metric_rmse(found, xyz), error);
+    CHECK_SAY(metric_rmse(found, xyz) <= error + net, "%s: %g m apart, bar %g m", name,
+              metric_rmse(found, xyz), error);
     run_close(&run);
     opened_run(&run, name, "shell_selective_3", 1, coarse);
     for (double t = 0; t < run.scene.end - run.scene.step / 2; t += run.scene.step)
@@ -187,8 +187,8 @@ static void shell_agrees(const char *name, double net)
     model_sample(run.model, run.state, moved);
     REQUIRE(run_settle(&run, &work, &why) == STATUS_OK);
     model_sample(run.model, run.state, found);
-    if (!CHECK(metric_rmse(found, moved) <= error / 2))
-        printf("%s: %g m from rest, bar %g m\n", name, metric_rmse(found, moved), error);
+    CHECK_SAY(metric_rmse(found, moved) <= error / 2, "%s: %g m from rest, bar %g m", name,
+              metric_rmse(found, moved), error);
     run_close(&run);
     free(found);
     free(xyz);
@@ -227,8 +227,8 @@ static void refused(void)
         struct truth made;
         struct scene s;
         read_scene(cases[n].scene, cases[n].set, &s);
-        if (!CHECK(truth_closed_make(&s, &made) == STATUS_UNSUPPORTED && !made.xyz))
-            printf("%s, %s\n", cases[n].scene, cases[n].set[0] ? cases[n].set[0] : "");
+        CHECK_SAY(truth_closed_make(&s, &made) == STATUS_UNSUPPORTED && !made.xyz, "%s, %s",
+                  cases[n].scene, cases[n].set[0] ? cases[n].set[0] : "");
         scene_clear(&s);
     }
 }

@@ -106,9 +106,8 @@ static void judge(const struct leg *leg)
     if (leg->harm)
         leg->harm(third_file);
     const enum status st = truth_file_read(truth_file, &read, &why);
-    if (!CHECK(st == leg->status && read.claimed == leg->claimed))
-        printf("%s: status %d, %d claimed; %s\n", leg->what, (int)st, read.claimed,
-               why.text);
+    CHECK_SAY(st == leg->status && read.claimed == leg->claimed,
+              "%s: status %d, %d claimed; %s", leg->what, (int)st, read.claimed, why.text);
     CHECK(leg->said ? strstr(read.third, leg->said) != NULL : *why.text != '\0');
     CHECK(!leg->said || *leg->said || !*read.third);
     CHECK((st == STATUS_OK) == (read.physics != NULL));

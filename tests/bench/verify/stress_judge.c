@@ -35,8 +35,7 @@ static struct verify_row judge(const struct stress_case *c)
     const double before = clock_processor();
 
     stress_add_row(&subject);
-    if (!CHECK(sheet.status == STATUS_OK))
-        printf("  %s: %s\n", c->check.item.name, sheet.why.text);
+    CHECK_SAY(sheet.status == STATUS_OK, "%s: %s", c->check.item.name, sheet.why.text);
     const struct verify_row row = *sheet.rows;
     CHECK(row.seconds >= 0 && row.seconds <= clock_processor() - before);
     verify_sheet_clear(&sheet);
@@ -351,8 +350,8 @@ static void check_ends(void)
         const struct verify_row r = judge(known[n].c);
         const bool timed =
             isnan(known[n].time) ? isnan(r.until) : fabs(r.until - known[n].time) < tol;
-        if (!CHECK(r.verdict == known[n].verdict && isnan(r.error) && timed && *r.note))
-            printf("  row %zu: %d at %g: %s\n", n, r.verdict, r.until, r.note);
+        CHECK_SAY(r.verdict == known[n].verdict && isnan(r.error) && timed && *r.note,
+                  "row %zu: %d at %g: %s", n, r.verdict, r.until, r.note);
     }
     begin(); /* a disk that is full is no result */
     struct verify_sheet sheet = {.check = &moves.check};

@@ -128,8 +128,8 @@ static void check_judged(void)
         struct outcome o = judge(cases[n].value, cases[n].truth, cases[n].bar);
         const bool met = cases[n].met;
         CHECK(o.status == (met ? STATUS_OK : STATUS_FAILED));
-        if (!CHECK(counts(&o, "first", met ? "2 0 1 0 0 0 3" : "0 2 1 0 0 0 3")))
-            printf("%g for %g\n", cases[n].value, cases[n].truth);
+        CHECK_SAY(counts(&o, "first", met ? "2 0 1 0 0 0 3" : "0 2 1 0 0 0 3"), "%g for %g",
+                  cases[n].value, cases[n].truth);
     }
 }
 
@@ -408,8 +408,8 @@ static void check_file(void)
     }
     CHECK(folder_make(folder, &why) == STATUS_OK);
     CHECK(verify_file_write("verify", &rows_check, &made, folder, &why) == STATUS_OK);
-    if (!CHECK(verify_file_read(&rows_check, folder, &read, &why) == STATUS_OK))
-        printf("%s\n", why.text);
+    CHECK_SAY(verify_file_read(&rows_check, folder, &read, &why) == STATUS_OK, "%s",
+              why.text);
     CHECK(read.count == made.count);
     for (int n = 0; n < read.count && n < made.count; n++) {
         const struct verify_row *a = &made.rows[n], *b = &read.rows[n];

@@ -92,8 +92,8 @@ static void test_bad(void)
 
     for (size_t n = 0; n < sizeof bad / sizeof *bad; n++) {
         CHECK(read_text(bad[n].text, &flat, &why) == STATUS_INPUT);
-        if (!CHECK(strstr(why.text, bad[n].sentence) && why.text[0] == ':'))
-            printf("%zu: '%s'\n", n, why.text);
+        CHECK_SAY(strstr(why.text, bad[n].sentence) && why.text[0] == ':', "%zu: '%s'", n,
+                  why.text);
         CHECK(!flat.at && !flat.triangle);
     }
 }

@@ -139,8 +139,7 @@ static void random_flaps(void)
         off += meets && !(c.depth > deep / 2 && c.depth < deep * 2);
         CHECK((c.pairs > 0) == meets);
     }
-    if (!CHECK(off <= FLAPS / 100))
-        printf("%d of %d depths are off\n", off, FLAPS);
+    CHECK_SAY(off <= FLAPS / 100, "%d of %d depths are off", off, FLAPS);
 }
 
 static void touches(void)
@@ -150,8 +149,8 @@ static void touches(void)
     for (size_t n = 0; n < sizeof shape / sizeof *shape; n++) {
         extrude(shape[n]);
         const struct crossing c = measure(1e-6, true);
-        if (!CHECK(c.pairs == 0 && c.triangles == 0 && c.depth == 0))
-            printf("shape %zu: %ld pairs, %g m\n", n, c.pairs, c.depth);
+        CHECK_SAY(c.pairs == 0 && c.triangles == 0 && c.depth == 0,
+                  "shape %zu: %ld pairs, %g m", n, c.pairs, c.depth);
     }
 }
 

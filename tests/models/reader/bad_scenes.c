@@ -33,9 +33,8 @@ static void check_refusal(const char *what, enum status st, enum status want_st,
     fine = fine && length > strlen(beginning) + 5 && length < sizeof why->text - 1;
     for (size_t i = 0; i < length; i++)
         fine = fine && (unsigned char)why->text[i] >= ' ';
-    if (!CHECK(fine))
-        printf("  %s: wanted '%s...', got status %d '%s'\n", what, beginning, st,
-               why->text);
+    CHECK_SAY(fine, "%s: wanted '%s...', got status %d '%s'", what, beginning, st,
+              why->text);
 }
 
 static enum status read_scene(const char *path, struct scene *scene, struct message *why)

@@ -56,10 +56,7 @@ static struct read read_text(const char *text, const struct model *model, int co
 {
     const struct read r = try_text(text, model, count, settings);
 
-    if (!CHECK(r.st == STATUS_OK)) {
-        printf("%s\n", r.why.text);
-        exit(1);
-    }
+    REQUIRE_SAY(r.st == STATUS_OK, "%s", r.why.text);
     return r;
 }
 
@@ -312,8 +309,8 @@ static void check_printed(void)
     REQUIRE(scene_schema_print(&r.d, &text) == STATUS_OK);
     line = strtok(text, "\n");
     for (int n = 0; n < count; n++, line = strtok(NULL, "\n"))
-        if (!CHECK(line && !strcmp(line, settings[n])))
-            printf("  printed: %s\n  set:     %s\n", line ? line : "nothing", settings[n]);
+        CHECK_SAY(line && !strcmp(line, settings[n]), "printed: %s\n  set:     %s",
+                  line ? line : "nothing", settings[n]);
     CHECK(!line);
     free(text);
     clear(&r);
@@ -350,8 +347,7 @@ static struct read read_file(const char *path, int count, const char *const *set
     struct read r = {.d = {.points = {10, 10, 2}}};
 
     r.st = scene_file_read(path, count, settings, &r.s, &r.d, &r.why);
-    if (!CHECK(r.st == STATUS_OK))
-        printf("%s\n", r.why.text);
+    CHECK_SAY(r.st == STATUS_OK, "%s", r.why.text);
     return r;
 }
 

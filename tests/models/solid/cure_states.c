@@ -192,9 +192,8 @@ static void check_in_plane(int p, int n, int m)
         const size_t count = solve(&s, REST, 2, lambda[kind]);
         for (size_t t = RIGID; t < count; t++)
             least = fmin(least, lambda[kind][t] / lambda[UNCURED][t]);
-        if (!CHECK(least > want))
-            printf("degree %d, %d x %d spans, in the plane: %s %.3g\n", p, n, m,
-                   kind == SOLID ? "solid" : "shell", least);
+        CHECK_SAY(least > want, "degree %d, %d x %d spans, in the plane: %s %.3g", p, n, m,
+                  kind == SOLID ? "solid" : "shell", least);
         clear(&s);
     }
 }

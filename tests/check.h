@@ -66,6 +66,9 @@ static inline bool check_all(bool hold)
 
 #define CHECK_SAY(condition, ...) check_all(CHECK(condition) || check_say(__VA_ARGS__))
 
+#define CHECK_HAS(text, part)                                                              \
+    CHECK_SAY(strstr(text, part), "'%s' is not in\n%.2000s", part, text)
+
 /* |actual - want| <= tol */
 #define CHECK_NEAR(actual, want, tol)                                                      \
     check_near(__FILE__, __LINE__, #actual, (actual), (want), #tol, (tol))

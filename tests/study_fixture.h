@@ -38,32 +38,6 @@ static inline char *study_squeeze(char *text)
     return text;
 }
 
-static inline void study_wants(const char *text, const char *want)
-{
-    CHECK_SAY(strstr(text, want), "wanted: %s\n  in: %s", want, text);
-}
-
-/* A stream in memory. */
-struct study_printed {
-    char *text;
-    size_t size;
-    FILE *file;
-};
-
-static inline FILE *study_print_to(struct study_printed *p)
-{
-    p->file = open_memstream(&p->text, &p->size);
-    REQUIRE(p->file);
-    return p->file;
-}
-
-/* Freed by the receiver. */
-static inline char *study_printed_text(struct study_printed *p)
-{
-    fclose(p->file);
-    return p->text;
-}
-
 /* --- A plan's. */
 
 struct study_made {

@@ -8,6 +8,7 @@
 #include "bench/claims/statements.h"
 #include "models/metric/metric.h"
 #include "models/metric/metric_rest.h"
+#include "tests/said.h"
 #include "tests/study_fixture.h"
 
 /* A change sets a quantity, a measure of the run, or one of these, at the last time unless
@@ -320,15 +321,15 @@ static void judges_quick_runs(void)
 
     for (int n = 0; n < 2; n++) {
         struct study_made made;
-        struct study_printed p;
+        struct said p;
         study_make(&made, plan[n]);
         study_fill(&made);
         made.r.quick = true;
         REQUIRE(claim_tell(&made.r,
-                           &(struct printer){TABLE_TEXT, study_print_to(&p), study_folder},
+                           &(struct printer){TABLE_TEXT, said_open(&p), study_folder},
                            NULL, NULL) == STATUS_OK);
-        char *text = study_squeeze(study_printed_text(&p));
-        study_wants(text, n ? "solver suffices" : "force is gone");
+        char *text = study_squeeze(said_text(&p));
+        CHECK_HAS(text, n ? "solver suffices" : "force is gone");
         CHECK((strstr(text, "not judged: quick") == NULL) == (n == 1));
         free(text);
         study_unmake(&made);
@@ -350,14 +351,14 @@ static void add_statements(struct statements *s, const char *plan)
 static void tells_all_statements(void)
 {
     struct statements s = {.count = 0};
-    struct study_printed p;
+    struct said p;
 
     add_statements(&s, "table3");
     add_statements(&s, "plasticity");
     add_statements(&s, "timestep");
-    CHECK(statements_print(&s, &(struct printer){TABLE_TEXT, study_print_to(&p)}, NULL) ==
+    CHECK(statements_print(&s, &(struct printer){TABLE_TEXT, said_open(&p)}, NULL) ==
           STATUS_OK);
-    char *text = study_squeeze(study_printed_text(&p));
+    char *text = study_squeeze(said_text(&p));
     const char *first = strstr(text, "- 3.2: "), *second = strstr(text, "- 4.1: "),
                *third = strstr(text, "- 4.3, Table 3: ");
     CHECK(first && second && third && first < second && second < third);
@@ -370,13 +371,13 @@ static void tells_all_statements(void)
     char count[64];
     snprintf(count, sizeof count, "Of the 5 statements %d hold, %d do not,", of[0], of[1]);
     CHECK(of[0] != of[1]); /* so that exchanged numbers are seen */
-    study_wants(text, count);
+    CHECK_HAS(text, count);
     free(text);
-    CHECK(statements_print(&s, &(struct printer){TABLE_CSV, study_print_to(&p)}, NULL) ==
+    CHECK(statements_print(&s, &(struct printer){TABLE_CSV, said_open(&p)}, NULL) ==
           STATUS_OK);
-    text = study_printed_text(&p);
-    study_wants(text, "source,claim,reading,verdict,sentence,turns,ours");
-    study_wants(text, "\n4.1,");
+    text = said_text(&p);
+    CHECK_HAS(text, "source,claim,reading,verdict,sentence,turns,ours");
+    CHECK_HAS(text, "\n4.1,");
     free(text);
     arena_clear(&s.arena);
 }

@@ -6,6 +6,7 @@
 
 #include "tests/fresh.h"
 #include "tests/run_fixture.h"
+#include "tests/said.h"
 
 static void targets(void)
 {
@@ -75,22 +76,13 @@ static void make(struct world *w, const struct scene_of *s)
 
 static char *print(const char *folder, enum table_format format)
 {
-    char *text = NULL;
-    size_t size;
-    FILE *file = open_memstream(&text, &size);
+    struct said said;
+    struct printer p = {format, said_open(&said), folder};
     struct message why = {""};
 
-    REQUIRE(file);
-    struct printer p = {format, file, folder};
     CHECK(league_print(SCENES_OF, contests, &p, &why) == STATUS_OK);
     CHECK(printer_close(&p) == STATUS_OK);
-    fclose(file);
-    return text;
-}
-
-static void has(const char *text, const char *line)
-{
-    CHECK_SAY(strstr(text, line), "'%s' is not in\n%s", line, text);
+    return said_text(&said);
 }
 
 int main(int argc, char **argv)
@@ -109,7 +101,7 @@ int main(int argc, char **argv)
         "vague: IGA, selective, nonlinear, p = 3, and no other", "blunt cannot be decided",
         "far: nobody", "unknown cannot be decided"};
     for (int n = 0; n < LENGTH(rows); n++)
-        has(text, rows[n]);
+        CHECK_HAS(text, rows[n]);
     free(text);
 
     text = print(argv[1], TABLE_CSV);
@@ -123,7 +115,7 @@ int main(int argc, char **argv)
         "0.021000000000000001,12,10,4,,4000,0\n",
         "blunt,shell_3,shell,1,0.050000000000000003,,,,,,,,,1\n"};
     for (int n = 0; n < LENGTH(cells); n++)
-        has(text, cells[n]);
+        CHECK_HAS(text, cells[n]);
     CHECK(!strstr(text, "near,iga_paper")); /* it did not enter */
     free(text);
     for (int n = 0; n < SCENES_OF; n++)

@@ -10,6 +10,7 @@
 #include "models/metric/metric.h"
 #include "models/reader/scene_file.h"
 #include "tests/fresh.h"
+#include "tests/said.h"
 #include "tests/truth_fixture.h"
 
 static const char *folder;
@@ -148,13 +149,13 @@ static void each_scene_is_known(void)
 {
     static const char *const ways[] = {",closed form,", ",stored,", ",none,"};
     struct named_file_entry *scenes = NULL;
-    char *text = NULL, row[64];
-    size_t size;
+    struct said said;
+    char row[64];
     int count = 0;
-    FILE *file = open_memstream(&text, &size);
 
-    REQUIRE(file && truth_print_all(&(struct printer){TABLE_CSV, file}, NULL) == STATUS_OK);
-    REQUIRE(fclose(file) == 0);
+    REQUIRE(truth_print_all(&(struct printer){TABLE_CSV, said_open(&said)}, NULL) ==
+            STATUS_OK);
+    char *text = said_text(&said);
     REQUIRE(named_file_names(&scene_file_kind, &scenes, &count, NULL) == STATUS_OK);
     CHECK(count > 20);
     for (int n = 0; n < count; n++) {

@@ -5,6 +5,7 @@
 #include "bench/verify/verify.h"
 #include "bench/verify/verify_check.h"
 #include "tests/known_misses.h"
+#include "tests/said.h"
 
 static char folder[4096];
 
@@ -62,25 +63,21 @@ struct outcome {
 /* Words and options, ended by NULL. */
 static struct outcome command(const char *const *words)
 {
-    static char *text;
+    static struct said said;
     struct outcome o = {.why = {""}};
     struct command_line line;
     char *argv[16];
-    size_t size;
     int argc = 0;
 
-    free(text);
+    said_clear(&said);
     for (; words[argc]; argc++)
         argv[argc] = (char *)words[argc];
     REQUIRE(command_parse(&verify_command, argc, argv, &line, &o.why) == STATUS_OK);
-    FILE *out = open_memstream(&text, &size);
-    REQUIRE(out);
-    line.printer.file = out;
+    line.printer.file = said_open(&said);
     o.status = verify_run(&made_up, &line, &o.why);
     printer_close(&line.printer);
-    fclose(out);
+    o.text = said_text(&said);
     command_line_clear(&line);
-    o.text = text;
     return o;
 }
 #define COMMAND(...) command((const char *const[]){__VA_ARGS__, NULL})

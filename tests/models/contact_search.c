@@ -3,13 +3,13 @@
 #include "models/contact/contact_search.h"
 
 #include <omp.h>
-#include <stdint.h>
 
 #include "models/contact/contact_law.h"
 #include "models/metric/intersection.h"
 #include "models/vector.h"
 #include "tests/check.h"
 #include "tests/mesh_surface_fixture.h"
+#include "tests/noise.h"
 
 /* Sums of a few products of numbers near 1. */
 static const double rounding = 1e-14;
@@ -19,13 +19,10 @@ static const double turn = 6.283185307179586;
 
 enum { SIDE_MAX = 512, POINTS_MAX = 4096 };
 static double place[POINTS_MAX][3], change[POINTS_MAX][3];
-static uint64_t state = 20261127;
 
-/* [-1, 1); xorshift64* */
 static double random_about_0(void)
 {
-    state ^= state >> 12, state ^= state << 25, state ^= state >> 27;
-    return (double)(state * 2685821657736338717u >> 11) * 0x1p-52 - 1;
+    return 2 * noise_unit() - 1;
 }
 
 /* The shapes of a unit square; contact starts at the distance `start`. */

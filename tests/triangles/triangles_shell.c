@@ -10,14 +10,10 @@
 
 #include "models/net/spring_net.h"
 #include "tests/derivative_fixture.h"
+#include "tests/noise.h"
 
 /* Sums of some hundred rounded terms. */
 static const double ROUNDING = 1e-12;
-
-static double noise(size_t n)
-{
-    return 2 * fmod(((double)n + 1) * 0.6180339887498949, 1) - 1;
-}
 
 static void fill_scene(struct scene *scene, bool held)
 {
@@ -67,10 +63,10 @@ static void test_derivatives(int kind, enum membrane membrane, enum bending bend
         const bool unknown = t < 3 * (size_t)mesh.vertices ||
                              (t % 3 == 0 && mesh.uvw[t / 3][2] == SUPPORTS_ONE) ||
                              mesh.uvw[t / 3][2] == SUPPORTS_THREE;
-        x[t] = unknown ? 1.1 * mesh.rest[t] + 0.02 * noise(t) +
+        x[t] = unknown ? 1.1 * mesh.rest[t] + 0.02 * noise((int)t) +
                              0.05 * mesh.rest[t / 3 * 3 + (t + 1) % 3]
                        : mesh.rest[t];
-        d[t] = unknown ? noise(3 * t + 1) : 0;
+        d[t] = unknown ? noise((int)(3 * t + 1)) : 0;
     }
     derivative_check(&s.body, &s.graph, x, d, DIFFERENCE);
     if (!held) {

@@ -6,13 +6,9 @@
 #include "models/net/net.h"
 #include "models/vector.h"
 #include "tests/check.h"
+#include "tests/noise.h"
 
 enum { POINTS = 50 }; /* 2500, of four to nine colours: each has more than 400 */
-
-static double noise(int n)
-{
-    return 2 * fmod((n + 1) * 0.6180339887498949, 1) - 1;
-}
 
 /* Moves are those of a sweep from x to y. */
 static void check_moves(const struct vb_body *b, const struct vb_step *s, const double *x,

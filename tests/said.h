@@ -37,16 +37,6 @@ static inline void said_close(struct said *s, bool lines)
             *c = ' ';
 }
 
-/* How often words are in it. */
-static inline int said_count(const struct said *s, const char *part)
-{
-    int count = 0;
-
-    for (const char *at = s->text; (at = strstr(at, part)); at += strlen(part))
-        count++;
-    return count;
-}
-
 static inline bool said_has(const struct said *s, const char *what, const char *part)
 {
     return CHECK_SAY(strstr(s->text, part), "%s: '%s' is not in\n%.600s", what, part,
@@ -55,8 +45,7 @@ static inline bool said_has(const struct said *s, const char *what, const char *
 
 static inline bool said_lacks(const struct said *s, const char *what, const char *part)
 {
-    return CHECK_SAY(!strstr(s->text, part), "%s: '%s' is in\n%.600s", what, part,
-                     s->text);
+    return CHECK_SAY(!strstr(s->text, part), "%s: '%s' is in\n%.600s", what, part, s->text);
 }
 
 static inline void said_clear(struct said *s)

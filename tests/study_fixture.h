@@ -24,20 +24,6 @@ static inline void study_begin(int count, char **arguments)
     REQUIRE(freopen("/dev/null", "w", stderr)); /* progress */
 }
 
-/* Any blanks and line ends as one blank. */
-static inline char *study_squeeze(char *text)
-{
-    char *to = text;
-
-    for (const char *from = text; *from; from++) {
-        const bool blank = *from == ' ' || *from == '\n';
-        if (!blank || (to > text && to[-1] != ' '))
-            *to++ = blank ? ' ' : *from;
-    }
-    *to = '\0';
-    return text;
-}
-
 /* --- A plan's. */
 
 struct study_made {

@@ -2,14 +2,14 @@
 #include "fem_ref/reference.h"
 
 #include "tests/scratch.h"
+#include "tests/text.h"
 
 static const char *path;
 
 static enum status open_text(const char *text, size_t size, struct reference **t,
                              struct message *why)
 {
-    FILE *file = fopen(path, "wb");
-    REQUIRE(file && fwrite(text, 1, size, file) == size && !fclose(file));
+    text_put(path, text, size);
     why->text[0] = 0;
     return reference_open(path, t, why);
 }

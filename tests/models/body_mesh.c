@@ -6,6 +6,7 @@
 #include "models/vector.h"
 #include "tests/noise.h"
 #include "tests/scratch.h"
+#include "tests/text.h"
 
 /* A few roundings of numbers near 1. */
 static const double rounding = 4e-15;
@@ -282,10 +283,7 @@ static void check_files(void)
     struct message why;
 
     for (size_t k = 0; k < sizeof files / sizeof *files; k++) {
-        FILE *file = fopen(path, "w");
-        REQUIRE(file);
-        fputs(files[k].text, file);
-        fclose(file);
+        text_write(path, files[k].text);
         why.text[0] = '\0';
         const enum status st = mesh_file_read(path, (double[3]){1, 2, 3}, 2, &mesh, &why);
         const char *want = files[k].sentence;

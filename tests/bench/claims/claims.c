@@ -10,6 +10,7 @@
 #include "models/metric/metric_rest.h"
 #include "tests/said.h"
 #include "tests/study_fixture.h"
+#include "tests/text.h"
 
 /* A change sets a quantity, a measure of the run, or one of these, at the last time unless
  * "at" is among its labels. */
@@ -326,9 +327,9 @@ static void judges_quick_runs(void)
         study_fill(&made);
         made.r.quick = true;
         REQUIRE(claim_tell(&made.r,
-                           &(struct printer){TABLE_TEXT, said_open(&p), study_folder},
-                           NULL, NULL) == STATUS_OK);
-        char *text = study_squeeze(said_text(&p));
+                           &(struct printer){TABLE_TEXT, said_open(&p), study_folder}, NULL,
+                           NULL) == STATUS_OK);
+        char *text = text_squeeze(said_text(&p));
         CHECK_HAS(text, n ? "solver suffices" : "force is gone");
         CHECK((strstr(text, "not judged: quick") == NULL) == (n == 1));
         free(text);
@@ -358,16 +359,12 @@ static void tells_all_statements(void)
     add_statements(&s, "timestep");
     CHECK(statements_print(&s, &(struct printer){TABLE_TEXT, said_open(&p)}, NULL) ==
           STATUS_OK);
-    char *text = study_squeeze(said_text(&p));
+    char *text = text_squeeze(said_text(&p));
     const char *first = strstr(text, "- 3.2: "), *second = strstr(text, "- 4.1: "),
                *third = strstr(text, "- 4.3, Table 3: ");
     CHECK(first && second && third && first < second && second < third);
     CHECK(!strstr(text, "The printed sheet is viscous"));
-    int of[2] = {0};
-    for (const char *at = text; (at = strstr(at, ": holds. ")); at++)
-        of[0]++;
-    for (const char *at = text; (at = strstr(at, ": does not hold. ")); at++)
-        of[1]++;
+    const int of[] = {text_count(text, ": holds. "), text_count(text, ": does not hold. ")};
     char count[64];
     snprintf(count, sizeof count, "Of the 5 statements %d hold, %d do not,", of[0], of[1]);
     CHECK(of[0] != of[1]); /* so that exchanged numbers are seen */

@@ -11,6 +11,7 @@
 #include "bench/truth/truth.h"
 #include "models/reader/scene_file.h"
 #include "tests/scratch.h"
+#include "tests/text.h"
 
 enum { DAMAGES = 2000 };
 
@@ -35,14 +36,6 @@ static unsigned char *read_all(const char *path, long *size)
     REQUIRE(bytes && fread(bytes, 1, (size_t)*size, file) == (size_t)*size);
     fclose(file);
     return bytes;
-}
-
-static void write_all(const char *path, const unsigned char *bytes, long size)
-{
-    FILE *file = fopen(path, "wb");
-
-    REQUIRE(file && fwrite(bytes, 1, (size_t)size, file) == (size_t)size);
-    REQUIRE(fclose(file) == 0);
 }
 
 /* Damages bytes[size], whose room is larger by 16; returns the new size. Every other time
@@ -81,7 +74,7 @@ static void try_all(const char *good, const char *bad,
     CHECK(read(good, &why) == STATUS_OK);
     for (int n = 0; n < DAMAGES; n++) {
         memcpy(copy, bytes, (size_t)size);
-        write_all(bad, copy, damage(copy, size));
+        text_put(bad, copy, (size_t)damage(copy, size));
         why.text[0] = '\0';
         const enum status st = read(bad, &why);
         refused += st == STATUS_INPUT;
@@ -227,7 +220,7 @@ static void made_on_purpose(const char *good, const char *bad, size_t count,
 
     for (size_t n = 0; n < count; n++) {
         struct message why = {""};
-        write_all(bad, bytes, size);
+        text_put(bad, bytes, (size_t)size);
         hid_t file = H5Fopen(bad, H5F_ACC_RDWR, H5P_DEFAULT);
         REQUIRE(file >= 0);
         put(file, &with[n], (hsize_t)size - 2000);

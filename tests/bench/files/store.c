@@ -16,6 +16,7 @@
 #include "models/grid.h"
 #include "tests/fresh.h"
 #include "tests/scratch.h"
+#include "tests/text.h"
 
 enum { FRAMES = 3, COUNT = 3 * GRID_POINTS };
 
@@ -318,9 +319,8 @@ static void test_reading_what_is_none(void)
     } row[] = {{scratch_path("text.h5"), STATUS_INPUT},
                {scratch_path("absent.h5"), STATUS_FILE},
                {scratch, STATUS_FILE}};
-    FILE *text = fopen(row[0].path, "w");
 
-    REQUIRE(text && fputs("not HDF5", text) >= 0 && fclose(text) == 0);
+    text_write(row[0].path, "not HDF5");
     for (int n = 0; n < 3; n++) {
         struct store_read *file = NULL;
         struct message why = {""};
@@ -350,14 +350,14 @@ static void test_xdmf(void)
         REQUIRE(xdmf_write(want[k].result, 1, &no_surface, time, FRAMES, NULL) ==
                 STATUS_OK);
         char *text = fresh_text(".", want[k].path);
-        CHECK(fresh_count(text, "<Grid ") == 1 + FRAMES);
-        CHECK(fresh_count(text, "</Grid>") == 1 + FRAMES);
-        CHECK(fresh_count(text, "Dimensions=\"2 100 100\"") == FRAMES);
+        CHECK(text_count(text, "<Grid ") == 1 + FRAMES);
+        CHECK(text_count(text, "</Grid>") == 1 + FRAMES);
+        CHECK(text_count(text, "Dimensions=\"2 100 100\"") == FRAMES);
         for (int n = 0; n < FRAMES; n++) {
             snprintf(part, sizeof part, "<Time Value=\"%.17g\"/>", time[n]);
-            CHECK(fresh_count(text, part) == 1);
+            CHECK(text_count(text, part) == 1);
             snprintf(part, sizeof part, ">%s:/frame/%d</DataItem>", want[k].name, n);
-            CHECK(fresh_count(text, part) == (n ? 1 : 1 + FRAMES));
+            CHECK(text_count(text, part) == (n ? 1 : 1 + FRAMES));
         }
         free(text);
         CHECK(unlink(want[k].path) == 0);
@@ -372,12 +372,12 @@ static void test_xdmf_sheets(void)
 
     REQUIRE(xdmf_write("sheets.h5", SHEETS, &no_surface, time, FRAMES, NULL) == STATUS_OK);
     char *text = fresh_text(".", "sheets.xdmf");
-    CHECK(fresh_count(text, "<Grid ") == 1 + FRAMES * (1 + SHEETS));
-    CHECK(fresh_count(text, "</Grid>") == 1 + FRAMES * (1 + SHEETS));
-    CHECK(fresh_count(text, "\"3DSMesh\" Dimensions=\"2 100 33\"") == 2 * FRAMES);
-    CHECK(fresh_count(text, "\"3DSMesh\" Dimensions=\"2 100 34\"") == FRAMES);
-    CHECK(fresh_count(text, ">0 0 33 0 1 1 1 1 2 100 33 3<") == 2 * FRAMES);
-    CHECK(fresh_count(text, ">0 0 66 0 1 1 1 1 2 100 34 3<") == 2 * FRAMES);
+    CHECK(text_count(text, "<Grid ") == 1 + FRAMES * (1 + SHEETS));
+    CHECK(text_count(text, "</Grid>") == 1 + FRAMES * (1 + SHEETS));
+    CHECK(text_count(text, "\"3DSMesh\" Dimensions=\"2 100 33\"") == 2 * FRAMES);
+    CHECK(text_count(text, "\"3DSMesh\" Dimensions=\"2 100 34\"") == FRAMES);
+    CHECK(text_count(text, ">0 0 33 0 1 1 1 1 2 100 33 3<") == 2 * FRAMES);
+    CHECK(text_count(text, ">0 0 66 0 1 1 1 1 2 100 34 3<") == 2 * FRAMES);
     free(text);
     CHECK(unlink("sheets.xdmf") == 0);
 }

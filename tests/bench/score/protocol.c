@@ -8,6 +8,7 @@
 #include "models/reader/scene_file.h"
 #include "tests/opened_run.h"
 #include "tests/scratch.h"
+#include "tests/text.h"
 
 enum { FILES = 4, SETTINGS = 3 };
 
@@ -244,15 +245,6 @@ static void names(void)
     protocol_clear(&p);
 }
 
-static void put_text(const char *name, const char *text)
-{
-    FILE *file = fopen(name, "w");
-
-    REQUIRE(file);
-    fputs(text, file);
-    REQUIRE(fclose(file) == 0);
-}
-
 /* Names of files and of the engine are words of the tables, whatever they hold. */
 static void hostile(void)
 {
@@ -269,8 +261,8 @@ static void hostile(void)
     REQUIRE(symlink(scene, "free_fall/scene.yaml") == 0);
     free(scene);
     REQUIRE(rename("free_fall", name) == 0);
-    put_text("engine.yaml",
-             "name: \"<script>\"\nversion: \"</title><img src=x>\"\nstep: 0.1\n");
+    text_write("engine.yaml",
+               "name: \"<script>\"\nversion: \"</title><img src=x>\"\nstep: 0.1\n");
     if (!CHECK(protocol_read(".", &look, &p, &why) == STATUS_OK) ||
         !CHECK(protocol_tables_write("protocol.csv", &p, &why) == STATUS_OK)) {
         printf("%s\n", why.text);

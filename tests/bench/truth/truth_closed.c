@@ -10,6 +10,7 @@
 #include "tests/opened_run.h"
 #include "tests/said.h"
 #include "tests/scratch.h"
+#include "tests/text.h"
 #include "tests/truth_fixture.h"
 
 static const double TOL_STEPS = 1e-11;  /* of 1000 steps of fourth order              */
@@ -279,7 +280,7 @@ static void printed_frames(void)
     said_open(&said);
     CHECK(truth_print_frames(&made, &s, grid, said.file) == STATUS_OK);
     said_close(&said, true);
-    CHECK(said_count(&said, "# bar: 5,") == 1);
+    CHECK(text_count(said.text, "# bar: 5,") == 1);
     const char *at = strstr(said.text, "t,u,v,x,y,z\n");
     REQUIRE(at);
     for (double v[6];
@@ -298,7 +299,7 @@ static void printed_frames(void)
     said_open(&said);
     CHECK(truth_print_frames(&made, &s, three, said.file) == STATUS_OK);
     said_close(&said, true);
-    CHECK(said_count(&said, "\n5,0.5,") == 2 && said_count(&said, "\n5,") == 6);
+    CHECK(text_count(said.text, "\n5,0.5,") == 2 && text_count(said.text, "\n5,") == 6);
     said_clear(&said);
     truth_clear(&made);
     scene_clear(&s);

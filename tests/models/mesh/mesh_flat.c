@@ -13,15 +13,15 @@
 #include "models/reader/pattern_file.h"
 #include "models/scene.h"
 #include "tests/scratch.h"
+#include "tests/text.h"
 
 static struct scene scene;
 
 static enum status read_text(const char *text, struct mesh_flat *flat, struct message *why)
 {
     const char *path = scratch_path("sheet.obj");
-    FILE *out = fopen(path, "w");
 
-    REQUIRE(out && fputs(text, out) >= 0 && fclose(out) == 0);
+    text_write(path, text);
     *flat = (struct mesh_flat){0};
     *why = (struct message){""};
     const enum status st =

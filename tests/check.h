@@ -64,7 +64,8 @@ static inline bool check_all(bool hold)
 
 #define CHECK(condition) check_true(__FILE__, __LINE__, #condition, (condition))
 
-#define CHECK_SAY(condition, ...) check_all(CHECK(condition) || check_say(__VA_ARGS__))
+#define SAY_UNLESS(checks, ...)   check_all((checks) || check_say(__VA_ARGS__))
+#define CHECK_SAY(condition, ...) SAY_UNLESS(CHECK(condition), __VA_ARGS__)
 
 #define CHECK_HAS(text, part)                                                              \
     CHECK_SAY(strstr(text, part), "'%s' is not in\n%.2000s", part, text)

@@ -43,8 +43,8 @@ static void check_knots(const struct knots *k, int i)
     CHECK(support_knots_repeats(&scene, i, k->degree, k->border) == k->repeats);
     REQUIRE(b.n == k->points && b.p == k->degree);
     for (int n = b.p + 1; n < b.n; n++)
-        if (!CHECK_NEAR(b.U[n], k->U[n - b.p - 1], 1e-15))
-            printf("row %td, knot %d\n", k - all, n - b.p - 1);
+        SAY_UNLESS(CHECK_NEAR(b.U[n], k->U[n - b.p - 1], 1e-15), "row %td, knot %d",
+                   k - all, n - b.p - 1);
     bspline_clear(&b);
 }
 
@@ -153,8 +153,8 @@ static void check_wing(const char *model)
     for (size_t n = 0; n < LENGTH(strips); n++) {
         answer(model, 20, strips[n].length, strips[n].held, strip);
         for (int k = 0; k < 2; k++)
-            if (!CHECK_RELATIVE(strip[k], wing[k], 1e-3))
-                printf("%s, strip %zu, %s: %.6g, not %.6g\n", model, n,
+            SAY_UNLESS(CHECK_RELATIVE(strip[k], wing[k], 1e-3),
+                       "%s, strip %zu, %s: %.6g, not %.6g", model, n,
                        k ? "end [m]" : "frequency [rad/s]", strip[k], wing[k]);
     }
 }

@@ -118,9 +118,10 @@ static void check_misfit(void)
         CHECK_RELATIVE(net.c33, sheet.c33, sum_rounding);
         CHECK_RELATIVE(net.c12, sheet.c33, sum_rounding);
         for (int t = 0; t < STRAIN_COUNT; t++)
-            if (!CHECK_RELATIVE(membrane_energy(&scene, n, m, STRAINS[t].e),
-                                plane_stress_energy(&net, STRAINS[t].e), sum_rounding))
-                printf("%s\n", STRAINS[t].name);
+            SAY_UNLESS(CHECK_RELATIVE(membrane_energy(&scene, n, m, STRAINS[t].e),
+                                      plane_stress_energy(&net, STRAINS[t].e),
+                                      sum_rounding),
+                       "%s", STRAINS[t].name);
         scene_clear(&scene);
     }
 }

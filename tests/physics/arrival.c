@@ -209,10 +209,10 @@ static void check_astray(void)
         struct message told;
         way_of(&plan, middle, 2, NULL, &r, &told);
         const bool astray = r.value[MEASURE_NOT_ARRIVED] > ARRIVAL_ASTRAY;
-        if (!CHECK(astray == row[n].told && !run_result_missed(&r)) ||
-            !CHECK(!astray || strstr(told.text, "iterations ended at their limit")))
-            printf("  %s: %g of the loads are left; %s\n", row[n].name, r.work.left,
-                   told.text);
+        SAY_UNLESS(
+            CHECK(astray == row[n].told && !run_result_missed(&r)) &&
+                CHECK(!astray || strstr(told.text, "iterations ended at their limit")),
+            "%s: %g of the loads are left; %s", row[n].name, r.work.left, told.text);
         settings_clear(&plan.settings);
     }
 }

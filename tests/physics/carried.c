@@ -73,9 +73,9 @@ static void check_carried(const struct row *row, const struct force *force)
         for (int i = 0; i < 3; i++)
             field[0][n][i] += V[i] * STEPS * still.scene.step;
     }
-    if (!CHECK_NEAR(opened_apart(field[0][0], field[1][0]), 0, row->carried) ||
-        !CHECK(most > 0.01))
-        printf("  %s carried, %s: moved %g m\n", row->name, force->common, most);
+    SAY_UNLESS(CHECK_NEAR(opened_apart(field[0][0], field[1][0]), 0, row->carried) &&
+                   CHECK(most > 0.01),
+               "%s carried, %s: moved %g m", row->name, force->common, most);
     run_close(&still);
     run_close(&moving);
 }
@@ -100,10 +100,10 @@ static void check_work(const char *name, const char *points, double tolerance)
     run.model->energy(run.state, &e);
     /* The mean over the end is that of the nodes but for the rule's curvature. */
     const double TOL_MEAN = 2e-2;
-    if (!CHECK(work > 1e-4) || !CHECK_NEAR(e.potential / -work, 1, TOL_MEAN) ||
-        !CHECK_NEAR((e.kinetic + e.elastic + e.potential) / work, 0, tolerance))
-        printf("  %s, pulled: work %g J, kinetic %g, elastic %g, potential %g\n", name,
-               work, e.kinetic, e.elastic, e.potential);
+    SAY_UNLESS(CHECK(work > 1e-4) && CHECK_NEAR(e.potential / -work, 1, TOL_MEAN) &&
+                   CHECK_NEAR((e.kinetic + e.elastic + e.potential) / work, 0, tolerance),
+               "%s, pulled: work %g J, kinetic %g, elastic %g, potential %g", name, work,
+               e.kinetic, e.elastic, e.potential);
     run_close(&run);
 }
 

@@ -195,8 +195,8 @@ static void check_free_motion(const struct model *model, const struct motion *m)
     for (int i = 0; i < 3 && st == STATUS_OK; i++) {
         const double want = velocity[i] * t * m->reach + m->gravity[i] * t * t / 2;
         const double step = fabs(velocity[i]) * h + fabs(m->gravity[i]) * t * h;
-        if (!CHECK_NEAR(mean(last, i) - mean(first, i), want, step))
-            printf("  %s, component %d\n", m->name, i);
+        SAY_UNLESS(CHECK_NEAR(mean(last, i) - mean(first, i), want, step),
+                   "%s, component %d", m->name, i);
     }
     model_destroy(model, state);
     scene_clear(&scene);

@@ -106,8 +106,7 @@ int main(void)
             CHECK(move(row, (enum driven)by, TINY, x[1]) > FRAMES / 10);
             for (int n = 0; n < 3 * GRID_POINTS; n++)
                 worst = fmax(worst, fabs(x[1][n] / (TINY * TINY) - x[0][n]));
-            if (!CHECK_NEAR(worst, 0, 0))
-                printf("%s, scene %d\n", row->model, by);
+            SAY_UNLESS(CHECK_NEAR(worst, 0, 0), "%s, scene %d", row->model, by);
         }
     return check_result();
 }

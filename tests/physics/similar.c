@@ -266,8 +266,8 @@ static void check_scene(const struct contestant *c, int scene, int kinds)
         const double off = apart(y, want) / (k >= SMALLER ? scales[k - SMALLER] : 1);
         const double far = k == MOVED ? AWAY : 1;
         const double allowed = single ? SINGLE : ROUNDINGS * DBL_EPSILON * far;
-        if (!CHECK_NEAR(off, 0, allowed))
-            printf("%s, %s, %s\n", c->name, scenes[scene].name, kind_name[k]);
+        SAY_UNLESS(CHECK_NEAR(off, 0, allowed), "%s, %s, %s", c->name, scenes[scene].name,
+                   kind_name[k]);
     }
 }
 
@@ -280,8 +280,7 @@ static void check_fall(const struct contestant *c)
 
     snprintf(twice, sizeof twice, "%s;discretization.precision=double", fall);
     REQUIRE(move(c, DROP, fall, KINDS, 2000, x) && move(c, DROP, twice, KINDS, 2000, y));
-    if (!CHECK_NEAR(apart(x, y), 0, FALLEN))
-        printf("%s falls\n", c->name);
+    SAY_UNLESS(CHECK_NEAR(apart(x, y), 0, FALLEN), "%s falls", c->name);
 }
 
 int main(int argc, char **argv)

@@ -232,9 +232,9 @@ static void check_plan(const struct turns *t)
         apply(&made, turn->change, turn->changes);
         const struct claim *c = claim_of(t->plan, turn->quote);
         const struct judge_told told = claim_judge(c, &made.r, &arena);
-        if (!CHECK(told.turn == turn->want) || !CHECK(!turn->turns || *told.turns))
-            printf("  %s, turn %d, %s: verdict %d, wanted %d: %s %s\n", t->plan, n,
-                   turn->quote, told.turn, turn->want, told.here, told.turns);
+        SAY_UNLESS(CHECK(told.turn == turn->want) && CHECK(!turn->turns || *told.turns),
+                   "%s, turn %d, %s: verdict %d, wanted %d: %s %s", t->plan, n, turn->quote,
+                   told.turn, turn->want, told.here, told.turns);
     }
     check_each_turned(t);
     arena_clear(&arena);

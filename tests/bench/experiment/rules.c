@@ -202,9 +202,9 @@ static void turns(void)
         CHECK_SAY(judge_below(bounds[n].value, bounds[n].bound) == bounds[n].turn,
                   "bound %zu", n);
     for (size_t n = 0; n < COUNT(both); n++)
-        if (!CHECK(judge_both(both[n][0], both[n][1]) == both[n][2]) ||
-            !CHECK(judge_both(both[n][1], both[n][0]) == both[n][2]))
-            printf("both %zu\n", n);
+        SAY_UNLESS(CHECK(judge_both(both[n][0], both[n][1]) == both[n][2]) &&
+                       CHECK(judge_both(both[n][1], both[n][0]) == both[n][2]),
+                   "both %zu", n);
     CHECK(judge_most(1, 2) == 2 && judge_most(2, 1) == 2);
     CHECK(isnan(judge_most(NAN, 1)) && isnan(judge_most(1, NAN)));
 }

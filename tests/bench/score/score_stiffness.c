@@ -98,8 +98,8 @@ int main(void)
         const struct score_stiffness s =
             measured(row[n].scene, row[n].name, row[n].weft, row[n].points,
                      row[n].columns ? row[n].columns : 21, 0, &known);
-        if (!CHECK(s.found) || !CHECK_RELATIVE(s.value, known, OWN_ERROR))
-            printf("  %s of %s, %s, %g left\n", row[n].scene, row[n].name,
+        SAY_UNLESS(CHECK(s.found) && CHECK_RELATIVE(s.value, known, OWN_ERROR),
+                   "%s of %s, %s, %g left", row[n].scene, row[n].name,
                    row[n].weft ? "weft" : "warp", s.left);
     }
     CHECK(!measured("woven_level", "shell_3", false, "[20,6]", 21, NOISE, &known).found);

@@ -200,10 +200,10 @@ static void check_shapes(void)
     for (size_t n = 0; n < sizeof known / sizeof *known; n++) {
         begin();
         const struct verify_row r = judge(&known[n].c);
-        if (!CHECK_NEAR(r.error, known[n].error, tol) ||
-            !CHECK(isnan(known[n].time) ? isnan(r.until)
-                                        : fabs(r.until - known[n].time) < tol))
-            printf("  %s: until %g\n", known[n].c.check.item.name, r.until);
+        SAY_UNLESS(CHECK_NEAR(r.error, known[n].error, tol) &&
+                       CHECK(isnan(known[n].time) ? isnan(r.until)
+                                                  : fabs(r.until - known[n].time) < tol),
+                   "%s: until %g", known[n].c.check.item.name, r.until);
     }
     begin();
     other.equilibrium = NULL;
@@ -291,10 +291,10 @@ static void check_contact(void)
         begin();
         other.sample = known[n].sample ? known[n].sample : other.sample;
         const struct verify_row r = judge(&known[n].c);
-        if (!CHECK_NEAR(r.error, known[n].error, known[n].tol) ||
-            !CHECK(isnan(known[n].time) ? isnan(r.until)
-                                        : fabs(r.until - known[n].time) < tol))
-            printf("  %s: %g until %g: %s\n", known[n].c.check.item.name, r.error, r.until,
+        SAY_UNLESS(CHECK_NEAR(r.error, known[n].error, known[n].tol) &&
+                       CHECK(isnan(known[n].time) ? isnan(r.until)
+                                                  : fabs(r.until - known[n].time) < tol),
+                   "%s: %g until %g: %s", known[n].c.check.item.name, r.error, r.until,
                    r.note);
     }
     begin(); /* also of the dead it is told what they have touched */

@@ -116,9 +116,9 @@ static void check_warp(void)
 
     for (int n = 0; n < 3; n++) {
         struct read r = try_text(MINIMAL, NULL, 3, said[n]);
-        if (!CHECK(r.st == (n ? STATUS_OK : STATUS_INPUT)) ||
-            !CHECK(n || strstr(r.why.text, "flare 0")))
-            printf("%s\n", r.why.text);
+        SAY_UNLESS(CHECK(r.st == (n ? STATUS_OK : STATUS_INPUT)) &&
+                       CHECK(n || strstr(r.why.text, "flare 0")),
+                   "%s", r.why.text);
         clear(&r);
     }
 }

@@ -84,8 +84,7 @@ static void check_spun(const struct model *model)
         good &= CHECK_NEAR(x[2], half == 1 ? -0.5 : 0, tolerance);
         good &= CHECK_NEAR(x[1], 0.5, tolerance);
     }
-    if (!good)
-        printf("%s\n", model->name);
+    SAY_UNLESS(good, "%s", model->name);
     run_close(&run);
 }
 

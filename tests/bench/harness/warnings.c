@@ -140,10 +140,9 @@ static void check_result_of(const struct result *row)
     value[MEASURE_ENERGY_DRIFT_MAX] = row->won;
     value[MEASURE_NOT_ARRIVED] = row->left;
     value[MEASURE_THROUGH_MAX] = row->through, value[MEASURE_THROUGH_TIME] = 0.2;
-    bool good = CHECK(distrust(&run, value, &said) == (row->said != NULL));
-    good &= CHECK(row->said ? strstr(said.text, row->said) != NULL : !*said.text);
-    if (!good)
-        printf("row %d: '%s'\n", (int)(row - results), said.text);
+    SAY_UNLESS(CHECK(distrust(&run, value, &said) == (row->said != NULL)) &&
+                   CHECK(row->said ? strstr(said.text, row->said) != NULL : !*said.text),
+               "row %d: '%s'", (int)(row - results), said.text);
 }
 
 #define PULL(fix, way)                                                                     \

@@ -1,7 +1,8 @@
 /* check.h - a test is a program that counts failed checks and goes on; it returns
  * check_result(). Tolerances are passed by name, so that the report names them.
  * CHECK_TOL_SCALE=0 in the environment makes every tolerance zero: each residual is then
- * printed beside its allowance. NaN fails. */
+ * printed beside its allowance. NaN fails. Tests have math, stdio, stdlib and string from
+ * here. */
 #ifndef CHECK_H
 #define CHECK_H
 

@@ -3,8 +3,6 @@
 #ifndef MESH_SURFACE_FIXTURE_H
 #define MESH_SURFACE_FIXTURE_H
 
-#include <stdlib.h>
-
 #include "models/mesh/mesh.h"
 #include "models/pattern.h"
 #include "tests/check.h"

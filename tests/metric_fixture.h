@@ -4,7 +4,6 @@
 #define METRIC_FIXTURE_H
 
 #include <float.h>
-#include <stdlib.h>
 
 #include "models/grid.h"
 #include "models/scene.h"

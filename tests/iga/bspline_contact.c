@@ -1,8 +1,6 @@
 /* Samples of contact: their shares of the area, and control points as the samples. */
 #include "iga/bspline_contact.h"
 
-#include <math.h>
-
 #include "tests/check.h"
 
 /* Sums of a few products of numbers near 1. */

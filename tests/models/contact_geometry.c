@@ -2,9 +2,6 @@
 #include "models/contact/contact_rest.h"
 #include "models/bodies/body_shape.h"
 
-#include <math.h>
-#include <string.h>
-
 #include "tests/check.h"
 #include "tests/noise.h"
 

@@ -1,6 +1,5 @@
 /* The contract of models/model.h, held against every model of the contestants and the toy
  * model: a model that competes is tested. (Threads: threads.c.) */
-#include <math.h>
 
 #include "models/grid.h"
 #include "models/metric/metric.h"

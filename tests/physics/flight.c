@@ -1,6 +1,5 @@
 /* A sheet that flies away or is carried away is not taken for one that flies apart; and in
  * every model one that nothing holds turns as it was thrown. (How far it flies: fall.c.) */
-#include <stdlib.h>
 
 #include "bench/harness/motion.h"
 #include "models/metric/metric.h"

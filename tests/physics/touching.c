@@ -1,7 +1,6 @@
 /* Tests the scenes in which a sheet meets itself and bodies that it is drawn along: each
  * runs with every model that supports it, and fold to its end, without a sheet that goes
  * through itself; there the law holds the layers apart. */
-#include <math.h>
 
 #include "bench/harness/motion.h"
 #include "bench/harness/run.h"

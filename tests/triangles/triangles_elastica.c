@@ -4,10 +4,6 @@
  */
 #include "triangles/tri_model.h"
 
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "fem_ref/reference.h"
 #include "models/pattern.h"
 #include "models/reader/pattern_file.h"

@@ -4,10 +4,6 @@
  */
 #include "triangles/tri_shell.h"
 
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "models/net/spring_net.h"
 #include "tests/derivative_fixture.h"
 #include "tests/noise.h"

@@ -2,7 +2,6 @@
  * ends, finds for each target what is as cheap as any to a tenth of a net and a factor of
  * two, tries nothing twice, nothing dear, gives up where nothing helps, and keeps to a
  * budget. */
-#include <math.h>
 
 #include "bench/compare/contest.h"
 #include "bench/harness/timing.h"

@@ -2,8 +2,6 @@
  * wins it and by how much over another model, and where each stands in the tables. */
 #include "bench/compare/league.h"
 
-#include <math.h>
-
 #include "tests/fresh.h"
 #include "tests/run_fixture.h"
 #include "tests/said.h"

@@ -2,7 +2,6 @@
  * by their cells and what they escape. */
 #include "bench/data/printer.h"
 
-#include <math.h>
 #include <sys/stat.h>
 
 #include "tests/fresh.h"

@@ -2,7 +2,6 @@
  * in a sentence: 2,000 stored truths and 2,000 runs, with a fixed seed. None is believed,
  * none crashes what reads it.
  */
-#include <math.h>
 
 #include "bench/files/hdf5_file.h"
 #include "bench/files/seal.h"

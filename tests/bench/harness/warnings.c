@@ -1,7 +1,6 @@
 /* Tests what a model doubts of what it did, and which results cannot be right: numbers on
  * either side of each bound, alone and together, and of fields. (What a run warns of
  * before: commands/run_warnings.cases.) */
-#include <math.h>
 
 #include "bench/harness/distrust.h"
 #include "bench/harness/motion.h"

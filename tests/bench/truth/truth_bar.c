@@ -2,9 +2,6 @@
  * orders, bars and differences are known. */
 #include "bench/truth/truth_making.h"
 
-#include <math.h>
-#include <stdlib.h>
-
 #include "bench/truth/truth.h"
 #include "models/grid.h"
 #include "tests/check.h"

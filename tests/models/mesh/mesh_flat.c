@@ -4,11 +4,6 @@
  */
 #include "models/mesh_flat.h"
 
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "models/mesh/mesh_irregular.h"
 #include "models/reader/pattern_file.h"
 #include "models/scene.h"

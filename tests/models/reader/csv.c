@@ -3,10 +3,6 @@
  * sentence.) */
 #include "models/reader/csv.h"
 
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-
 #include "bench/experiment/judge.h"
 #include "bench/experiment/kept.h"
 #include "bench/data/printer.h"

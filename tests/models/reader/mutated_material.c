@@ -3,7 +3,6 @@
  * EVERY moves for a few steps, and then is finite or has died of a reason.
  *   mutated_material [COUNT] */
 #include <stdint.h>
-#include <string.h>
 
 #include "models/reader/scene_file.h"
 #include "tests/opened_run.h"

@@ -10,7 +10,8 @@ static enum status open_text(const char *text, size_t size, struct reference **t
                              struct message *why)
 {
     text_put(path, text, size);
-    why->text[0] = 0;
+    if (why)
+        why->text[0] = 0;
     return reference_open(path, t, why);
 }
 
@@ -28,9 +29,8 @@ static void check_reads(void)
     static const char text[] = "# by hand\n# date:  2026-01-02\nname,x,y\nfirst,1.5,\r\n"
                                "# between\nsecond,-2e-3,nan\nsecond,0x10,1e999\n,7,8 9\n";
     struct reference *t = NULL;
-    struct message why;
 
-    REQUIRE(open_text(text, sizeof text - 1, &t, &why) == STATUS_OK);
+    REQUIRE(open_text(text, sizeof text - 1, &t, NULL) == STATUS_OK);
     CHECK(reference_rows(t) == 4);
     CHECK(reference_column(t, "y") == 2 && reference_column(t, "z") == -1);
     CHECK(!strcmp(reference_text(t, 0, "name"), "first"));

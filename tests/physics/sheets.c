@@ -220,14 +220,13 @@ static void check_apart(const struct row *row, bool statics, double allowed)
 static void check_modes(const struct row *row)
 {
     struct run all, alone;
-    struct message why;
     double omega[SHEETS * MOST_MODES], want[MOST_MODES];
 
     open_sheets(&all, row, -1);
     open_sheets(&alone, row, 0);
     REQUIRE(row->modes <= MOST_MODES);
-    CHECK(all.model->modes(all.state, SHEETS * row->modes, omega, &why) == STATUS_OK);
-    CHECK(alone.model->modes(alone.state, row->modes, want, &why) == STATUS_OK);
+    CHECK(all.model->modes(all.state, SHEETS * row->modes, omega, NULL) == STATUS_OK);
+    CHECK(alone.model->modes(alone.state, row->modes, want, NULL) == STATUS_OK);
     for (int n = 0; n < SHEETS * row->modes; n++)
         CHECK_RELATIVE(omega[n], want[n / SHEETS], SWINGS);
     run_close(&all);

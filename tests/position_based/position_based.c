@@ -72,7 +72,6 @@ static double same_step(int n, int m, double dt, double *projective)
                                  .iterations = 200000,
                                  .tolerance = 1e-13};
     const int count = 3 * n * m;
-    struct message why;
     double *x = calloc((size_t)count, sizeof *x);
 
     REQUIRE(x);
@@ -81,7 +80,7 @@ static double same_step(int n, int m, double dt, double *projective)
     springs.d.tolerance = 1e-10;
     springs_start(&springs);
     springs_steps(&springs, 1);
-    REQUIRE(pd_motion_init(&pd, &springs.scene, &o, &why) == STATUS_OK);
+    REQUIRE(pd_motion_init(&pd, &springs.scene, &o, NULL) == STATUS_OK);
     CHECK(pd_motion_frame(&pd, &springs.counters) == STATUS_OK);
     for (int a = 0; a < count; a++)
         x[a] = pd.x[a % 3 * pd_net_stride(&pd.energy.net) + a / 3];

@@ -63,7 +63,6 @@ static void open_model(struct tri_motion *m, const struct scene *scene, const ch
                        int seed, int points, enum bending bending, enum tri_arc arc)
 {
     struct discretization d;
-    struct message why = {""};
     char mesh[4096];
 
     REQUIRE(!name || strlen(name) < sizeof mesh);
@@ -71,7 +70,7 @@ static void open_model(struct tri_motion *m, const struct scene *scene, const ch
     d.points[0] = d.points[1] = points;
     d.mesh = name ? strcpy(mesh, name) : NULL, d.seed = seed, d.bending = bending;
     OWN(tri_own, &d)->arc = arc;
-    REQUIRE(tri_model.init(m, scene, &d, &why) == STATUS_OK);
+    REQUIRE(tri_model.init(m, scene, &d, NULL) == STATUS_OK);
 }
 
 /* Returns by how much the first natural frequency is off: of a beam, as nu is 0. */

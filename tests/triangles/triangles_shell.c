@@ -29,7 +29,6 @@ static void make(struct mesh *mesh, struct tri_shell *s, const struct scene *sce
                  int kind, enum membrane membrane, enum bending bending, bool arc)
 {
     char name[16];
-    struct message why = {""};
     struct discretization d = {
         .points = {6, 5, 1}, .mesh = strcpy(name, kinds[kind]), .seed = kind};
 
@@ -37,7 +36,7 @@ static void make(struct mesh *mesh, struct tri_shell *s, const struct scene *sce
     const enum mesh_edges at_edges = bending == BENDING_MIDEDGE     ? MESH_TURNS
                                      : bending == BENDING_QUADRATIC ? MESH_SLOPES
                                                                     : MESH_NO_NODES;
-    REQUIRE(mesh_make(mesh, scene, &d, at_edges, &why) == STATUS_OK);
+    REQUIRE(mesh_make(mesh, scene, &d, at_edges, NULL) == STATUS_OK);
     REQUIRE(tri_shell_init(s, scene, mesh, membrane, bending, arc) == STATUS_OK);
 }
 

@@ -76,18 +76,15 @@ static char *print(const char *folder, enum table_format format)
 {
     struct said said;
     struct printer p = {format, said_open(&said), folder};
-    struct message why = {""};
 
-    CHECK(league_print(SCENES_OF, contests, &p, &why) == STATUS_OK);
+    CHECK(league_print(SCENES_OF, contests, &p, NULL) == STATUS_OK);
     CHECK(printer_close(&p) == STATUS_OK);
     return said_text(&said);
 }
 
 int main(int argc, char **argv)
 {
-    struct message why = {""};
-
-    REQUIRE(argc == 2 && folder_make(argv[1], &why) == STATUS_OK);
+    REQUIRE(argc == 2 && folder_make(argv[1], NULL) == STATUS_OK);
     targets();
     for (int n = 0; n < SCENES_OF; n++) {
         make(&worlds[n], &scenes[n]);

@@ -88,10 +88,9 @@ static void against_truth(void)
 {
     struct plan plan = plan_there("light", light);
     struct study_results all;
-    struct message why = {""};
 
     measure(&plan);
-    REQUIRE(study_read(&plan, folder, &all, &why) == STATUS_OK);
+    REQUIRE(study_read(&plan, folder, &all, NULL) == STATUS_OK);
     const struct study *s = study_of(&all, "light");
     REQUIRE(s && all.count == 1 && !study_of(&all, "heavy"));
     CHECK(s->length == 1 && s->gamma < TRUTH_GAMMA);

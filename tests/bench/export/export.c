@@ -63,7 +63,6 @@ static const struct {
 /* Read again it has the physics that its truth has, to the last bit, and the times. */
 static void scenes_come_back(void)
 {
-
     for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
         char path[32], *first = NULL, *text[2];
         struct scene s[2] = {0};

@@ -114,8 +114,7 @@ static void check_array(struct store_read *file, const char *name, int rows, int
 {
     double *value = NULL;
     int r = 0, c = 0;
-    struct message why = {""};
-    CHECK(store_read_array(file, name, &value, &r, &c, &why) == STATUS_OK);
+    CHECK(store_read_array(file, name, &value, &r, &c, NULL) == STATUS_OK);
     if (CHECK(r == rows && c == columns))
         for (int i = 0; i < r * c; i++)
             CHECK(value[i] == want[i] || (isnan(value[i]) && isnan(want[i])));
@@ -260,17 +259,16 @@ static void test_round_trip(const struct fixture *f)
 
 static void test_single(struct fixture *f)
 {
-    struct message why = {""};
     struct store_read *file = NULL;
     static double xyz[COUNT];
     double largest = 0;
 
     f->run.single = f->run.packed = true;
-    REQUIRE(write_run(f, scratch_path("run.h5"), &why) == STATUS_OK); /* replaces */
+    REQUIRE(write_run(f, scratch_path("run.h5"), NULL) == STATUS_OK); /* replaces */
     f->run.single = f->run.packed = false;
     CHECK(scratch_files(scratch) == 2);
-    REQUIRE(store_read_open(scratch_path("run.h5"), &file, &why) == STATUS_OK);
-    CHECK(store_read_frame(file, 2, xyz, &why) == STATUS_OK);
+    REQUIRE(store_read_open(scratch_path("run.h5"), &file, NULL) == STATUS_OK);
+    CHECK(store_read_frame(file, 2, xyz, NULL) == STATUS_OK);
     for (int n = 0; n < COUNT; n++)
         largest = fmax(largest, fabs(xyz[n] - f->xyz[2 * COUNT + n]));
     CHECK(largest > 0);
@@ -281,28 +279,27 @@ static void test_single(struct fixture *f)
 /* Frames as numbers alone, one with its field, none. */
 static void test_without_fields(const struct fixture *f)
 {
-    struct message why = {""};
     const char *path = scratch_path("few.h5");
     static double xyz[COUNT];
 
     for (int kept = 0; kept < 2; kept++) {
         struct store *store = NULL;
         struct store_read *file = NULL;
-        REQUIRE(store_create(path, &f->run, &store, &why) == STATUS_OK);
+        REQUIRE(store_create(path, &f->run, &store, NULL) == STATUS_OK);
         for (int n = 0; n < FRAMES; n++)
             CHECK(store_frame(store, 0.1 * n, kept && n == 1 ? f->xyz + n * COUNT : NULL,
-                              NULL, NULL, &why) == STATUS_OK);
-        CHECK(store_text(store, "note", "a note", &why) == STATUS_OK);
-        CHECK(store_close(store, &why) == STATUS_OK);
+                              NULL, NULL, NULL) == STATUS_OK);
+        CHECK(store_text(store, "note", "a note", NULL) == STATUS_OK);
+        CHECK(store_close(store, NULL) == STATUS_OK);
         CHECK(scratch_files(scratch) ==
               3 + kept); /* XDMF only where there is something to see */
-        REQUIRE(store_read_open(path, &file, &why) == STATUS_OK);
+        REQUIRE(store_read_open(path, &file, NULL) == STATUS_OK);
         CHECK(store_read_frames(file) == kept);
         check_array(file, "time", FRAMES, 1, (double[]){0.0, 0.1, 0.2});
         check_array(file, "xyz_time", kept, 1, (double[]){0.1});
         check_text(file, "/", "note", "a note");
         if (kept) {
-            CHECK(store_read_frame(file, 0, xyz, &why) == STATUS_OK);
+            CHECK(store_read_frame(file, 0, xyz, NULL) == STATUS_OK);
             CHECK(!memcmp(xyz, f->xyz + COUNT, COUNT * sizeof *xyz));
         }
         store_read_close(file);

@@ -343,9 +343,8 @@ static void test_flight(void)
 {
     struct settings s = LIST("time.end=0.02"); /* four frames */
     struct scene scene;
-    struct message why = {""};
 
-    REQUIRE(contestant_read_scene(&s, DROP, &scene, &why) == STATUS_OK);
+    REQUIRE(contestant_read_scene(&s, DROP, &scene, NULL) == STATUS_OK);
     leaver.scene = &scene;
     for (int n = 0; n < 12; n++) {
         leaver.u = n & 1, leaver.v = n >> 1 & 1, leaver.axis = n >> 2;

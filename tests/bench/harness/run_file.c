@@ -443,7 +443,6 @@ static enum status read_with(int count, const struct array *arrays, const char *
     H5Fclose(id);
     REQUIRE(seal_write(file, NULL) == STATUS_OK);
     *r = (struct run_result){0};
-    why->text[0] = '\0';
     return run_result_read(file, true, r, why);
 }
 
@@ -460,9 +459,8 @@ static void test_seconds(void)
     static const struct array rest[] = {{"seconds/advance", 0, 0, {0}},
                                         {"seconds/equilibrium", 2, 1, {5, 9}}};
     struct run_result r;
-    struct message why;
 
-    REQUIRE(read_with(LENGTH(arrays), arrays, NULL, NULL, &r, &why) == STATUS_OK);
+    REQUIRE(read_with(LENGTH(arrays), arrays, NULL, NULL, &r, NULL) == STATUS_OK);
     CHECK(r.create.count == 3 && r.create.min == 0.25 && r.create.median == 0.5);
     CHECK(r.create.max == 1 && r.create_seconds == 0.25);
     CHECK(r.step.count == 2 && r.step.min == 2 && r.step.max == 6 && r.step.median == 4);
@@ -470,7 +468,7 @@ static void test_seconds(void)
     for (int p = 0; p < RUN_RESULT_PHASES; p++)
         CHECK(r.phase[p].count == 2 + (p == 2) && r.phase[p].min == 10 + p);
     run_result_clear(&r);
-    REQUIRE(read_with(LENGTH(rest), rest, NULL, NULL, &r, &why) == STATUS_OK);
+    REQUIRE(read_with(LENGTH(rest), rest, NULL, NULL, &r, NULL) == STATUS_OK);
     CHECK(r.step.count == 2 && r.step.min == 5 && r.step.max == 9);
     CHECK(r.steps == 0 && r.step_seconds == 0 && r.phase[0].count == 0);
     run_result_clear(&r);
@@ -497,14 +495,13 @@ static void test_series(void)
     struct energy energy[5];
     double drift[5];
     struct run_result r;
-    struct message why;
 
     for (int count = 0; count < 2; count++) {
-        REQUIRE(read_with(count, arrays, NULL, NULL, &r, &why) == STATUS_OK);
+        REQUIRE(read_with(count, arrays, NULL, NULL, &r, NULL) == STATUS_OK);
         CHECK(isnan(r.value[MEASURE_TRUTH_ERROR_MAX]));
         run_result_clear(&r);
     }
-    REQUIRE(read_with(LENGTH(arrays), arrays, NULL, NULL, &r, &why) == STATUS_OK);
+    REQUIRE(read_with(LENGTH(arrays), arrays, NULL, NULL, &r, NULL) == STATUS_OK);
     CHECK(r.value[MEASURE_TRUTH_ERROR_MAX] == 0.5);
     CHECK(r.value[MEASURE_TRUTH_ERROR_END] == 0.25);
     CHECK(r.value[MEASURE_TRUTH_BAR_END] == 0.0625);
@@ -536,9 +533,9 @@ static void test_misfits(void)
                 {{"none", 0, 0, {0}}, "outcome", "bad input"},
                 {{"none", 0, 0, {0}}, "scene", NULL}};
     struct run_result r;
-    struct message why;
 
     for (int n = 0; n < LENGTH(want); n++) {
+        struct message why = {""};
         CHECK(read_with(1, &want[n].array, want[n].key, want[n].text, &r, &why) ==
               STATUS_INPUT);
         CHECK(strstr(why.text, file));

@@ -170,13 +170,12 @@ static void shell_agrees(const char *name, double net)
     static const char *const fine[] = {"discretization.points=[40,5]"};
     static const char *const coarse[] = {"discretization.points=[12,4]"};
     struct run run;
-    struct message why = {""};
     struct counters work = {0};
     double error, *found = malloc(2 * FIELD * sizeof *found), *moved = found + FIELD;
 
     REQUIRE(found);
     opened_run(&run, name, "shell_selective_3", 1, fine);
-    REQUIRE(run_settle(&run, &work, &why) == STATUS_OK);
+    REQUIRE(run_settle(&run, &work, NULL) == STATUS_OK);
     model_sample(run.model, run.state, found);
     double *xyz = field_at(&run.scene, run.scene.end, &error);
     CHECK_SAY(metric_rmse(found, xyz) <= error + net, "%s: %g m apart, bar %g m", name,
@@ -186,7 +185,7 @@ static void shell_agrees(const char *name, double net)
     for (double t = 0; t < run.scene.end - run.scene.step / 2; t += run.scene.step)
         REQUIRE(run.model->advance(run.state, &work) == STATUS_OK);
     model_sample(run.model, run.state, moved);
-    REQUIRE(run_settle(&run, &work, &why) == STATUS_OK);
+    REQUIRE(run_settle(&run, &work, NULL) == STATUS_OK);
     model_sample(run.model, run.state, found);
     CHECK_SAY(metric_rmse(found, moved) <= error / 2, "%s: %g m from rest, bar %g m", name,
               metric_rmse(found, moved), error);

@@ -199,18 +199,17 @@ static void begins_finer(const char *folder)
     struct asked a;
     struct truth made = {0};
     struct truth_end end;
-    struct message why = {""};
     const struct truth_wish hasty = {1e-9, 0};
 
     asked_open(&a, "edge_drop", 2, own, TIMES, TIME, folder);
     a.runs.frame = truth_plan_frame(&a.scene);
     dies_at = 12;
-    REQUIRE(truth_make(&a.runs, &a.scene, &hasty, &made, &end, &why) == STATUS_OK);
+    REQUIRE(truth_make(&a.runs, &a.scene, &hasty, &made, &end, NULL) == STATUS_OK);
     CHECK_SAY(strstr(made.source, "21x21") && strstr(made.source, "12x12"), "%s",
               made.source); /* the shell's, and the solid's, which lives on */
     truth_clear(&made);
     dies_at = 9;
-    REQUIRE(truth_make(&a.runs, &a.scene, &hasty, &made, &end, &why) == STATUS_OK);
+    REQUIRE(truth_make(&a.runs, &a.scene, &hasty, &made, &end, NULL) == STATUS_OK);
     CHECK_SAY(strstr(made.source, "15x15"), "%s", made.source);
     truth_clear(&made);
     dies_at = 0;

@@ -422,15 +422,14 @@ static void check_shipped(void)
 {
     struct named_file_entry *entries = NULL;
     int count = 0;
-    struct message why;
 
-    REQUIRE(named_file_list(&scene_file_kind, &entries, &count, &why) == STATUS_OK);
+    REQUIRE(named_file_list(&scene_file_kind, &entries, &count, NULL) == STATUS_OK);
     CHECK(count >= 9);
     for (int i = 0; i < count; i++) {
         char *path = NULL;
 
         CHECK(i == 0 || strcmp(entries[i - 1].name, entries[i].name) < 0);
-        REQUIRE(scene_file_find(entries[i].name, &path, &why) == STATUS_OK);
+        REQUIRE(scene_file_find(entries[i].name, &path, NULL) == STATUS_OK);
         struct read r = read_file(path, 0, NULL);
         REQUIRE(r.st == STATUS_OK);
         CHECK(!strcmp(r.s.name, entries[i].name));

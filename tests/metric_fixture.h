@@ -18,13 +18,6 @@
 
 enum { COUNT = GRID_POINTS * 3 };
 
-static inline double *new_field(void)
-{
-    double *xyz = malloc(COUNT * sizeof *xyz);
-    REQUIRE(xyz);
-    return xyz;
-}
-
 static inline void fill_rest(const struct scene *scene, double *xyz)
 {
     for (int n = 0; n < GRID_POINTS; n++) {

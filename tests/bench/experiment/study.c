@@ -29,26 +29,24 @@ static struct plan plan_there(const char *name, const char *text)
     return plan_of(path, text);
 }
 
-static double *field(const char *name, int frame)
+static void field(const char *name, int frame, double *xyz)
 {
     struct store_read *file = NULL;
-    double *xyz = malloc(3 * GRID_POINTS * sizeof *xyz);
     char path[4096];
 
     snprintf(path, sizeof path, "%s/%s.h5", folder, name);
-    REQUIRE(xyz && store_read_open(path, &file, NULL) == STATUS_OK);
+    REQUIRE(store_read_open(path, &file, NULL) == STATUS_OK);
     REQUIRE(store_read_frame(file, frame, xyz, NULL) == STATUS_OK);
     store_read_close(file);
-    return xyz;
 }
 
 static double rmse(const char *a, const char *b, int frame)
 {
-    double *x = field(a, frame), *y = field(b, frame), value = metric_rmse(x, y);
+    static double x[3 * GRID_POINTS], y[3 * GRID_POINTS];
 
-    free(x);
-    free(y);
-    return value;
+    field(a, frame, x);
+    field(b, frame, y);
+    return metric_rmse(x, y);
 }
 
 /* A study by its name; NULL: there is none. */

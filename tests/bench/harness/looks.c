@@ -124,16 +124,14 @@ static void test_moving(void)
     struct scene_obstacle plane = {.kind = OBSTACLE_PLANE,
                                    .normal = {0, 0, 1},
                                    .motion = {.path_count = 2, .path = path}};
-    double *xyz = calloc(3 * GRID_POINTS, sizeof *xyz);
+    static double xyz[3 * GRID_POINTS];
 
     begin();
-    REQUIRE(xyz);
     sheet.obstacles = &plane, looks.count = 0;
     looks_add(&looks, &sheet, 0, xyz, NAN);
     looks_add(&looks, &sheet, 0.5, xyz, NAN);
     CHECK(looks.series[LOOKS_PENETRATION][0] == 0);
     CHECK(looks.series[LOOKS_PENETRATION][1] == 0.25);
-    free(xyz);
     end();
 }
 
@@ -203,10 +201,9 @@ static void test_crossing(void)
 static void test_recount(void)
 {
     static const double fold[4][2] = {{51.5, 0}, {51.5, 1}, {50, 1}, {50, -1}};
-    double *xyz = calloc(3 * GRID_POINTS, sizeof *xyz);
+    static double xyz[3 * GRID_POINTS];
 
     begin();
-    REQUIRE(xyz);
     for (int n = 0; n < GRID_POINTS; n++) {
         const int i = n / GRID_V % GRID_U, j = n % GRID_V;
         const bool folded = i >= 50 && i < 54;
@@ -222,7 +219,6 @@ static void test_recount(void)
         CHECK(counted ? found > 0 && found == metric_intersections(&sheet, xyz)
                       : isnan(found));
     }
-    free(xyz);
     end();
 }
 

@@ -149,6 +149,15 @@ static void shape_net(const struct shape *shape, const int n[2])
         shape->point(k / n[1] / (n[0] - 1.), k % n[1] / (n[1] - 1.), place[k]);
 }
 
+/* Returns the share of `change` that may be gone. */
+static double limit(struct contact_search *search, double x[3], double d[3], double wall)
+{
+    double share;
+
+    REQUIRE(contact_search_limit(search, x, d, wall, 1, &share, NULL) == STATUS_OK);
+    return share;
+}
+
 static void check_same(const struct contact_search *a, const struct contact_search *b)
 {
     const size_t width = contact_foot_width(a->sheet.surface);
@@ -165,6 +174,14 @@ static void check_same(const struct contact_search *a, const struct contact_sear
                      memcmp(v, w, p.count * sizeof *v) || (size_t)p.count > width;
     }
     CHECK(different == 0);
+}
+
+/* Finds feet by kept triangles and by every pair: they are the same. */
+static void check_pairs(struct contact_search *kept, struct contact_search *all)
+{
+    REQUIRE(contact_search_find(kept, place[0]) == STATUS_OK);
+    REQUIRE(contact_search_find_all(all, place[0]) == STATUS_OK);
+    check_same(kept, all);
 }
 
 /* What a foot is: where its weights say, D along the normal from the sample, not beside
@@ -219,9 +236,7 @@ static void test_every_pair(void)
         shape_net(shape, n);
         for (int call = 0; call < CALLS; call++) {
             omp_set_num_threads(1 + call % 4);
-            REQUIRE(contact_search_find(&kept, place[0]) == STATUS_OK);
-            REQUIRE(contact_search_find_all(&all, place[0]) == STATUS_OK);
-            check_same(&kept, &all);
+            check_pairs(&kept, &all);
             check_feet(&kept, sheets);
             if (call == 0 && sheets == 1)
                 CHECK(kept.count >= shape->least && kept.count <= shape->most);
@@ -590,13 +605,11 @@ static void test_limit_of_layers(void)
     place_layers(n, 0.8 * start);
     for (int k = 0; k < 5; k++) {
         const double closing = k * 0.4 * gap, want = fmin(1, 0.5 * gap / closing);
-        double share;
         for (int p = 0; p < n[0] * n[1]; p++) {
             const int up = p / n[1] >= n[0] / 2;
             change[p][0] = 5, change[p][1] = k, change[p][2] = 3 - up * closing;
         }
-        REQUIRE(contact_search_limit(&search, place[0], change[0], wall, 1, &share, NULL) ==
-                STATUS_OK);
+        const double share = limit(&search, place[0], change[0], wall);
         CHECK(share <= want + far_rounding && share >= 0.97 * want);
     }
     close_search(&surface, &search);
@@ -622,13 +635,11 @@ static void test_limit(void)
         shape_net(&shapes[k], n);
         for (int round = 0; round < ROUNDS; round++) {
             const double size = pow(10, -1 - round % 3), noise = k < 2 ? 0.3 : 0.05;
-            double share;
             for (int p = 0; p < n[0] * n[1]; p++)
                 for (int i = 0; i < 3; i++)
                     change[p][i] = size * (sin(5 * place[p][(i + 1) % 3] + i + 7 * round) +
                                            noise * random_about_0());
-            REQUIRE(contact_search_limit(&search, place[0], change[0], 0, 1, &share,
-                                         NULL) == STATUS_OK);
+            const double share = limit(&search, place[0], change[0], 0);
             for (int p = 0; p < n[0] * n[1]; p++)
                 for (int i = 0; i < 3; i++)
                     place[p][i] += share * change[p][i];
@@ -652,7 +663,7 @@ static void test_sheets_alone(void)
     const int n[2] = {SHEETS * ROWS, M}, one[2] = {ROWS, M};
     struct contact_surface surface, lone;
     struct contact_search all, alone;
-    double share, least = 1;
+    double least = 1;
     int first = 0;
 
     open_sheets(SHEETS, 1, n, &surface, &all);
@@ -675,14 +686,10 @@ static void test_sheets_alone(void)
             CHECK_NEAR(a->strength, b->strength, far_rounding);
         }
         first += alone.count;
-        REQUIRE(contact_search_limit(&alone, at[0], change[k * COUNT], 0, 1, &share,
-                                     NULL) == STATUS_OK);
-        least = fmin(least, share);
+        least = fmin(least, limit(&alone, at[0], change[k * COUNT], 0));
     }
     CHECK(first == all.count && least < 1);
-    REQUIRE(contact_search_limit(&all, place[0], change[0], 0, 1, &share, NULL) ==
-            STATUS_OK);
-    CHECK(share == least);
+    CHECK(limit(&all, place[0], change[0], 0) == least);
     close_search(&surface, &all);
     close_search(&lone, &alone);
 }
@@ -722,9 +729,7 @@ static void test_sides(void)
         }
         for (int side = 0; side < 2; side++) {
             int f = 0;
-            REQUIRE(contact_search_find(&kept, place[0]) == STATUS_OK);
-            REQUIRE(contact_search_find_all(&all, place[0]) == STATUS_OK);
-            check_same(&kept, &all);
+            check_pairs(&kept, &all);
             while (f < all.count && all.foot[f].sample != I * M + J)
                 f++;
             CHECK(f < all.count && all.foot[f].side == side);
@@ -795,7 +800,6 @@ static void test_patterns(void)
         struct contact_surface surface;
         struct contact_search kept, all;
         struct scene scene;
-        double share[2];
         long pairs = 0;
         struct contact_tree_search search = {1.3 * start, 0, &pairs, count_pair};
         REQUIRE(scene_init(&scene) == STATUS_OK);
@@ -809,19 +813,15 @@ static void test_patterns(void)
             change[p / 3][p % 3] = 0.02 * random_about_0();
         for (int call = 0; call < 3; call++) {
             omp_set_num_threads(1 + call);
-            REQUIRE(contact_search_find(&kept, place[0]) == STATUS_OK);
-            REQUIRE(contact_search_find_all(&all, place[0]) == STATUS_OK);
-            check_same(&kept, &all);
+            check_pairs(&kept, &all);
             check_feet(&kept, 1);
             for (int p = 0; p < 3 * mesh.vertices; p++)
                 place[p / 3][p % 3] += 0.1 * start * sin(7. * p + call);
         }
         CHECK(k % 4 ? kept.count > 50 : kept.count == 0);
-        REQUIRE(contact_search_limit(&kept, place[0], change[0], 0, 1, &share[0], NULL) ==
-                STATUS_OK);
-        REQUIRE(contact_search_limit(&all, place[0], change[0], 0, 1, &share[1], NULL) ==
-                STATUS_OK);
-        CHECK(share[0] == share[1] && share[0] > 0 && (share[0] < 1 || k % 4 == 0));
+        const double share = limit(&kept, place[0], change[0], 0);
+        CHECK(share == limit(&all, place[0], change[0], 0));
+        CHECK(share > 0 && (share < 1 || k % 4 == 0));
         shape_mesh(flat);
         contact_tree_fit(&kept.tree, place[0], NULL);
         REQUIRE(contact_tree_visit(&kept.tree, &search) == STATUS_OK);

@@ -43,6 +43,12 @@ static inline void pd_fixture_frames(struct pd_motion *m, int frames)
         CHECK(pd_motion_frame(m, &counters) == STATUS_OK);
 }
 
+static inline void pd_fixture_close(struct pd_motion *m, struct scene *scene)
+{
+    pd_motion_clear(m);
+    scene_clear(scene);
+}
+
 /* Repeatable numbers in [-1,1]. */
 static inline double pd_fixture_random(unsigned *seed)
 {

@@ -11,8 +11,7 @@ static inline struct plan plan_of(const char *path, const char *text)
     struct plan plan;
 
     text_write(path, text);
-    if (plan_read(path, &plan, &why) != STATUS_OK)
-        printf("%s\n", why.text), exit(1);
+    REQUIRE_SAY(plan_read(path, &plan, &why) == STATUS_OK, "%s", why.text);
     CHECK(!*why.text); /* nothing is left of what was wrong before */
     return plan;
 }

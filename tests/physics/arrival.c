@@ -120,11 +120,9 @@ static double way_of(const struct case_plan *plan, const double *uvw, int compon
     double x[3], rest[3];
 
     asked.keep = (struct run_keep){.file = file, .every = 20, .fields = RUN_FIELDS_NONE};
-    if (run_read(&run, &asked, &why) != STATUS_OK ||
-        run_file_follow(&asked, &run, &m, &f, &why) != STATUS_OK) {
-        printf("%s on %s: %s\n", plan->contestant->name, plan->path, why.text);
-        exit(1);
-    }
+    REQUIRE_SAY(run_read(&run, &asked, &why) == STATUS_OK &&
+                    run_file_follow(&asked, &run, &m, &f, &why) == STATUS_OK,
+                "%s on %s: %s", plan->contestant->name, plan->path, why.text);
     run.model->probe(run.state, 1, uvw, x);
     scene_rest_point(&run.scene, uvw, rest);
     REQUIRE(run_file_close(f, &m, r, &why) == STATUS_OK);

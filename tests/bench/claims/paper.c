@@ -86,9 +86,7 @@ static void open_plan(const char *path, struct plan *plan)
 {
     struct message why = {""};
 
-    if (plan_read(path, plan, &why) != STATUS_OK)
-        printf("%s\n", why.text);
-    REQUIRE(plan->name);
+    REQUIRE_SAY(plan_read(path, plan, &why) == STATUS_OK, "%s", why.text);
 }
 
 static void scene_of(const struct plan *plan, const struct plan_study *s,

@@ -3,7 +3,6 @@
  */
 #include "models/pattern.h"
 
-#include "models/supports.h"
 #include "models/pattern_mesh.h"
 #include "tests/check.h"
 

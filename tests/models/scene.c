@@ -1,6 +1,5 @@
 /* Scenes and discretizations made in memory: needs, paths, copies, sheets, ripples. */
 #include "models/discretization.h"
-#include "models/damping.h"
 #include "models/grid.h"
 #include "models/scene.h"
 #include "tests/check.h"

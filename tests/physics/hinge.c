@@ -5,7 +5,6 @@
  */
 #include <float.h>
 
-#include "models/solid/solid_model.h"
 #include "models/supports.h"
 #include "tests/opened_run.h"
 

@@ -2,11 +2,8 @@
  * momentum in every energy-momentum scheme: shells, solids, triangles and springs. */
 #include <float.h>
 
-#include "mass_spring/spring_motion.h"
-#include "shell_ref/shell_model.h"
 #include "models/mechanics/march.h"
 #include "tests/opened_run.h"
-#include "triangles/tri_model.h"
 
 enum { FRAMES = 60, EXTRA = 2 };
 

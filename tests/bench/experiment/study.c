@@ -1,14 +1,11 @@
 /* The engine of studies: plans with levels, differences, errors, orders and metrics from
  * result files, levels that die or are refused, truth found again. */
-#include "bench/experiment/judge.h"
 #include "bench/experiment/study.h"
 #include "bench/experiment/plan.h"
 
-#include "bench/files/folder.h"
 #include "bench/files/store.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
-#include "models/reader/scene_file.h"
 #include "tests/fresh.h"
 #include "tests/plan_fixture.h"
 

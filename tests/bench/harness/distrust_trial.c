@@ -9,7 +9,6 @@
 
 #include "bench/harness/run_file.h"
 #include "bench/truth/truth.h"
-#include "models/grid.h"
 #include "models/metric/metric.h"
 #include "models/metric/metric_rest.h"
 #include "models/reader/scene_file.h"

@@ -2,7 +2,6 @@
  * within their error bars and the models' own errors. (truth_make.c: how they are made.) */
 #include <dirent.h>
 
-#include "bench/files/folder.h"
 #include "bench/truth/truth.h"
 #include "bench/truth/truth_making.h"
 #include "fem_ref/reference.h"

@@ -4,7 +4,6 @@
 #include "fem_ref/elastica.h"
 #include "fem_ref/kirchhoff.h"
 #include "models/clock.h"
-#include "models/reader/scene_file.h"
 #include "tests/scripted_model.h"
 
 #define LENGTH           2.0 /* so that "over L" tells */

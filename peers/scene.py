@@ -59,7 +59,7 @@ class Scene:
         self.gravity = json.loads(re.search(r"^gravity: (.*)$", text, re.M)[1])
         kind, value = re.search(r"^damping: {kind: (\w+)(?:, value: (.*))?}", text, re.M).groups()
         self.damping = float(value or 0)  # 1/s
-        self.drag = kind not in ("none", "mass") or re.search(r"^drag:", text, re.M)
+        self.drag = kind not in ("none", "mass") or re.search(r"^(drag|air):", text, re.M)
         self.at_rest = "truth is the shape at rest" in (self.folder / "README.md").read_text()
         obstacles = self.folder / "obstacles.csv"
         self.obstacles = rows(obstacles) if obstacles.exists() else []

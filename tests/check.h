@@ -1,11 +1,13 @@
 /* check.h - a test is a program that counts failed checks and goes on; it returns
  * check_result(). Tolerances are passed by name, so that the report names them.
  * CHECK_TOL_SCALE=0 in the environment makes every tolerance zero: each residual is then
- * printed beside its allowance. NaN fails. */
+ * printed beside its allowance. NaN fails. Tests have math, stdio, stdlib and string from
+ * here. */
 #ifndef CHECK_H
 #define CHECK_H
 
 #include <math.h>
+#include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -42,7 +44,32 @@ static inline bool check_true(const char *file, int line, const char *what, bool
     return false;
 }
 
+/* Says more where a check fails: of which row, what is there instead. */
+__attribute__((format(printf, 1, 2))) static inline bool check_say(const char *format, ...)
+{
+    va_list list;
+
+    va_start(list, format);
+    printf("  ");
+    vprintf(format, list);
+    putchar('\n');
+    va_end(list);
+    return false;
+}
+
+/* So that compilers do not miss a use of the value. */
+static inline bool check_all(bool hold)
+{
+    return hold;
+}
+
 #define CHECK(condition) check_true(__FILE__, __LINE__, #condition, (condition))
+
+#define SAY_UNLESS(checks, ...)   check_all((checks) || check_say(__VA_ARGS__))
+#define CHECK_SAY(condition, ...) SAY_UNLESS(CHECK(condition), __VA_ARGS__)
+
+#define CHECK_HAS(text, part)                                                              \
+    CHECK_SAY(strstr(text, part), "'%s' is not in\n%.2000s", part, text)
 
 /* |actual - want| <= tol */
 #define CHECK_NEAR(actual, want, tol)                                                      \
@@ -60,6 +87,12 @@ static inline bool check_true(const char *file, int line, const char *what, bool
             printf("%s:%d: cannot go on\n", __FILE__, __LINE__);                           \
             exit(1);                                                                       \
         }                                                                                  \
+    } while (0)
+
+#define REQUIRE_SAY(condition, ...)                                                        \
+    do {                                                                                   \
+        if (!CHECK_SAY(condition, __VA_ARGS__))                                            \
+            exit(1);                                                                       \
     } while (0)
 
 static inline int check_result(void)

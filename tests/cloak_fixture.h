@@ -26,18 +26,6 @@ static inline void init_cloak(struct scene *s, double opening, double flare)
     REQUIRE(scene_add_support(s, &edge) == STATUS_OK);
 }
 
-static inline void *create(const struct model *model, const struct scene *s,
-                           const struct discretization *d)
-{
-    struct message why = {{0}};
-    void *state = NULL;
-
-    if (!CHECK(model_create(model, s, d, &state, &why) == STATUS_OK))
-        printf("%s: %s\n", model->name, why.text);
-    REQUIRE(state);
-    return state;
-}
-
 static inline struct discretization net(const struct model *model, int n, int m, int p,
                                         int q)
 {

@@ -163,6 +163,20 @@ def exported():
     check("mass damping", clothbench.export("hanging", 3, 3).damping["value"] == 20)
     check("no springs", clothbench.export("cloak", 4, 3).springs.shape == (0,))
     says("no scene", ValueError, "nobody", clothbench.export, "nobody", 3, 3)
+    check("a grid has neither", not len(scene.hinges) and not len(scene.pattern))
+
+
+def garments():
+    """A garment with its pattern, whose area has its mass; hinges and springs of a mesh."""
+    shirt = clothbench.export("shirt")
+    a, b, c = (shirt.pattern[:, k] for k in range(3))
+    area = ((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]) / 2
+    check("pattern", area.min() > 0 and abs(area.sum() * shirt.material["areal mass"] / shirt.mass.sum() - 1) < 1e-12)
+    check("seams", len(shirt.x) == shirt.triangles.max() + 1 and len(shirt.uv) == len(shirt.x))
+    edges = {frozenset((t[k], t[k - 1])) for t in shirt.triangles.tolist() for k in range(3)}
+    check("hinges", len(shirt.hinges) and edges >= {frozenset(e) for e in shirt.hinges[["a", "b"]].tolist()})
+    sheet = clothbench.export("trapezoid", 7, 7)
+    check("springs of a mesh", 3 * len(sheet.mass) > len(sheet.springs) > 2 * len(sheet.mass))
 
 
 def wheel_and_example():
@@ -229,6 +243,7 @@ with tempfile.TemporaryDirectory() as scratch:
     truths()
     scored()
     exported()
+    garments()
     wheel_and_example()
     bad_truths()
     os.chdir("/")

@@ -55,13 +55,12 @@ struct run_of {
 
 static inline void add(struct contest *c, const char *who, const struct run_of *run)
 {
-    struct contest_at at =
-        contest_square(c, named(who), run->side, run->divisor, run->iterations);
+    const int across = run->across ? run->across : contest_across(c, named(who), run->side);
     const int early = !!(run->how & EARLY);
-    struct contest_row *row;
+    struct contest_row *row =
+        contest_add(c, &(struct contest_at){
+                           named(who), {run->side, across, run->divisor, run->iterations}});
 
-    at.size[CONTEST_ACROSS] = run->across ? run->across : at.size[CONTEST_ACROSS];
-    row = contest_add(c, &at);
     row->probe = run->how & PROBE;
     row->seconds = row->probe ? NAN : run->seconds;
     row->error[early] = run->worst / 2, row->error[!early] = row->worst = run->worst;

@@ -2,8 +2,7 @@
 #ifndef TESTS_CONTRACT_H
 #define TESTS_CONTRACT_H
 
-#include "bench/harness/contestant.h"
-#include "tests/check.h"
+#include "tests/run_fixture.h"
 #include "tests/toy_model.h"
 
 enum { FRAMES = 12 };
@@ -43,18 +42,6 @@ static inline struct discretization small_net(const struct model *model)
     d.points[0] = 6;
     d.points[1] = 5;
     return d;
-}
-
-static inline void *create(const struct model *model, const struct scene *scene,
-                           const struct discretization *d)
-{
-    struct message why = {{0}};
-    void *state = NULL;
-
-    if (!CHECK(model_create(model, scene, d, &state, &why) == STATUS_OK))
-        printf("%s: %s\n", model->name, why.text);
-    REQUIRE(state);
-    return state;
 }
 
 static inline struct counters advance(const struct model *model, void *state, int frames)

@@ -38,14 +38,4 @@ static inline char *fresh_text(const char *folder, const char *name)
     return text;
 }
 
-/* How often words stand in a text. */
-static inline int fresh_count(const char *text, const char *words)
-{
-    int count = 0;
-
-    for (; (text = strstr(text, words)); text += strlen(words))
-        count++;
-    return count;
-}
-
 #endif

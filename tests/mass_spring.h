@@ -8,6 +8,7 @@
 #include "mass_spring/spring_motion.h"
 #include "models/vector.h"
 #include "tests/check.h"
+#include "tests/noise.h"
 
 /* A sheet in SI numbers of cloth, held along u = 0 unless `free`. */
 static inline void fill_scene(struct scene *scene, bool held)
@@ -57,8 +58,8 @@ static inline void springs_start(struct springs *s)
 {
     struct message why = {{0}};
 
-    if (!CHECK(spring_motion_init(&s->m, &s->scene, &s->d, &why) == STATUS_OK))
-        printf("%s\n", why.text);
+    CHECK_SAY(spring_motion_init(&s->m, &s->scene, &s->d, &why) == STATUS_OK, "%s",
+              why.text);
     REQUIRE(s->m.net.x);
 }
 
@@ -93,12 +94,6 @@ static inline double springs_strain(const struct springs *s)
         most = fmax(most, vector_length(e) / one->length - 1);
     }
     return most;
-}
-
-/* Numbers in (-1, 1), the same on every run. */
-static inline double noise(int n)
-{
-    return 2 * fmod((n + 1) * 0.6180339887498949, 1) - 1;
 }
 
 #endif

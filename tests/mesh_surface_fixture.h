@@ -3,8 +3,6 @@
 #ifndef MESH_SURFACE_FIXTURE_H
 #define MESH_SURFACE_FIXTURE_H
 
-#include <stdlib.h>
-
 #include "models/mesh/mesh.h"
 #include "models/pattern.h"
 #include "tests/check.h"
@@ -15,12 +13,11 @@ static inline void surface_of_pattern(struct scene *scene, const int points[2], 
 {
     struct discretization d = {.points = {points[0], points[1], 1}, .seed = seed};
     struct pattern_blame blame;
-    struct message why = {0};
     double size[2];
 
     REQUIRE(pattern_finish(scene->pattern, size, &blame) == STATUS_OK);
     scene->length = size[0], scene->width = size[1];
-    REQUIRE(mesh_make(mesh, scene, &d, MESH_NO_NODES, &why) == STATUS_OK);
+    REQUIRE(mesh_make(mesh, scene, &d, MESH_NO_NODES, NULL) == STATUS_OK);
     REQUIRE(mesh_contact(mesh, scene, surface) == STATUS_OK);
 }
 

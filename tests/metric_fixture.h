@@ -4,7 +4,6 @@
 #define METRIC_FIXTURE_H
 
 #include <float.h>
-#include <stdlib.h>
 
 #include "models/grid.h"
 #include "models/scene.h"
@@ -18,13 +17,6 @@
 #define TOL_ROUGHNESS (8 * DBL_EPSILON * (99 / 0.35) * (99 / 0.35))
 
 enum { COUNT = GRID_POINTS * 3 };
-
-static inline double *new_field(void)
-{
-    double *xyz = malloc(COUNT * sizeof *xyz);
-    REQUIRE(xyz);
-    return xyz;
-}
 
 static inline void fill_rest(const struct scene *scene, double *xyz)
 {

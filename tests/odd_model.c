@@ -5,7 +5,6 @@
 #include "tests/odd_model.h"
 
 #include <signal.h>
-#include <stdlib.h>
 #include <unistd.h>
 
 #include "tests/scripted_model.h"

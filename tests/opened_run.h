@@ -16,10 +16,7 @@ static inline void opened_read(struct run *run, const char *scene, const char *n
 
     REQUIRE(contestant_find(name, &plan.contestant, NULL) == STATUS_OK);
     settings_list(&plan.settings, count, text);
-    if (!CHECK(run_read(run, &plan, &why) == STATUS_OK)) {
-        printf("%s: %s\n", name, why.text);
-        exit(1);
-    }
+    REQUIRE_SAY(run_read(run, &plan, &why) == STATUS_OK, "%s: %s", name, why.text);
     settings_clear(&plan.settings);
 }
 
@@ -27,10 +24,8 @@ static inline void opened_build(struct run *run)
 {
     struct message why = {""};
 
-    if (!CHECK(run_build(run, &why) == STATUS_OK)) {
-        printf("%s: %s\n", run->contestant->name, why.text);
-        exit(1);
-    }
+    REQUIRE_SAY(run_build(run, &why) == STATUS_OK, "%s: %s", run->contestant->name,
+                why.text);
 }
 
 static inline void opened_run(struct run *run, const char *scene, const char *name,
@@ -56,10 +51,8 @@ static inline struct counters opened_steps(struct run *run, int frames)
     struct counters work = {0};
 
     for (int n = 0; n < frames; n++)
-        if (!CHECK(run->model->advance(run->state, &work) == STATUS_OK)) {
-            printf("%s dies in frame %d\n", run->contestant->name, n);
-            exit(1);
-        }
+        REQUIRE_SAY(run->model->advance(run->state, &work) == STATUS_OK,
+                    "%s dies in frame %d", run->contestant->name, n);
     return work;
 }
 
@@ -68,8 +61,8 @@ static inline void opened_settle(struct run *run)
     struct counters work = {0};
     struct message why = {""};
 
-    if (!CHECK(run_settle(run, &work, &why) == STATUS_OK))
-        printf("%s: %s\n", run->contestant->name, why.text);
+    CHECK_SAY(run_settle(run, &work, &why) == STATUS_OK, "%s: %s", run->contestant->name,
+              why.text);
 }
 
 /* Returns all energy of the sheet and its contact [J]. */

@@ -32,8 +32,7 @@ static inline void pd_fixture_motion(struct pd_motion *m, const struct scene *sc
                                      const struct pd_options *options)
 {
     struct message why = {{0}};
-    if (!CHECK(pd_motion_init(m, scene, options, &why) == STATUS_OK))
-        printf("%s\n", why.text);
+    CHECK_SAY(pd_motion_init(m, scene, options, &why) == STATUS_OK, "%s", why.text);
     REQUIRE(m->x);
 }
 
@@ -42,6 +41,12 @@ static inline void pd_fixture_frames(struct pd_motion *m, int frames)
     struct counters counters = {0};
     for (int n = 0; n < frames; n++)
         CHECK(pd_motion_frame(m, &counters) == STATUS_OK);
+}
+
+static inline void pd_fixture_close(struct pd_motion *m, struct scene *scene)
+{
+    pd_motion_clear(m);
+    scene_clear(scene);
 }
 
 /* Repeatable numbers in [-1,1]. */

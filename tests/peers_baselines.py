@@ -178,7 +178,9 @@ def fabrics():
 def garments():
     """A mesh that is sewn, on capsules: for who needs no hinges."""
     runs.export_scene(program, "shirt", "5,5", folder / "shirt")
-    shirt = export.Scene(folder / "shirt")
+    check("times of the truth", export.Scene(folder / "shirt").times == [0.06])
+    runs.export_scene(program, "shirt", "5,5", folder / "lighter", ["gravity=[0,0,-9]"])
+    shirt = export.Scene(folder / "lighter")
     export.refuse(shirt, "bullet")
     says("a garment", export.Refused, "no hinges", export.refuse, shirt, "jolt")
     check("times without a truth", shirt.times == [0.1, 0.2, 0.3, 0.5])

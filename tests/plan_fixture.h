@@ -3,17 +3,15 @@
 #define TESTS_PLAN_FIXTURE_H
 
 #include "bench/experiment/plan.h"
-#include "tests/check.h"
+#include "tests/text.h"
 
 static inline struct plan plan_of(const char *path, const char *text)
 {
     struct message why = {"of another file"};
     struct plan plan;
-    FILE *file = fopen(path, "w");
 
-    REQUIRE(file && fputs(text, file) >= 0 && fclose(file) == 0);
-    if (plan_read(path, &plan, &why) != STATUS_OK)
-        printf("%s\n", why.text), exit(1);
+    text_write(path, text);
+    REQUIRE_SAY(plan_read(path, &plan, &why) == STATUS_OK, "%s", why.text);
     CHECK(!*why.text); /* nothing is left of what was wrong before */
     return plan;
 }

@@ -1,4 +1,5 @@
-/* run_fixture.h - what tests of runs need: contestants by name, settings in a line. */
+/* run_fixture.h - what tests of runs need: contestants by name, settings in a line, states
+ * that must be had. */
 #ifndef RUN_FIXTURE_H
 #define RUN_FIXTURE_H
 
@@ -33,6 +34,17 @@ static inline void set_words(struct settings *s, const char *words)
     REQUIRE(snprintf(copy, sizeof copy, "%s", words) < (int)sizeof copy);
     for (char *word = strtok(copy, ";"); word; word = strtok(NULL, ";"))
         settings_set(s, word);
+}
+
+static inline void *create(const struct model *model, const struct scene *scene,
+                           const struct discretization *d)
+{
+    struct message why = {{0}};
+    void *state = NULL;
+
+    REQUIRE_SAY(model_create(model, scene, d, &state, &why) == STATUS_OK, "%s: %s",
+                model->name, why.text);
+    return state;
 }
 
 #define LIST(...)                                                                          \

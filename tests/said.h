@@ -11,12 +11,20 @@ struct said {
     FILE *file; /* to print to */
 };
 
-/* The stream knows *s: it stays where it is until said_close. */
-static inline void said_open(struct said *s)
+/* The stream knows *s: it stays where it is until said_close or said_text. */
+static inline FILE *said_open(struct said *s)
 {
     *s = (struct said){0};
     s->file = open_memstream(&s->text, &s->size);
     REQUIRE(s->file);
+    return s->file;
+}
+
+/* Ends it; returns it as it was printed, freed by the caller. */
+static inline char *said_text(struct said *s)
+{
+    REQUIRE(fclose(s->file) == 0);
+    return s->text;
 }
 
 /* Ends it; where lines break is nobody's business. Numbers and rows of CSV keep theirs. */
@@ -29,32 +37,15 @@ static inline void said_close(struct said *s, bool lines)
             *c = ' ';
 }
 
-/* How often words are in it. */
-static inline int said_count(const struct said *s, const char *part)
-{
-    int count = 0;
-
-    for (const char *at = s->text; (at = strstr(at, part)); at += strlen(part))
-        count++;
-    return count;
-}
-
 static inline bool said_has(const struct said *s, const char *what, const char *part)
 {
-    const bool found = CHECK(strstr(s->text, part) != NULL);
-
-    if (!found)
-        printf("%s: '%s' is not in\n%.600s\n", what, part, s->text);
-    return found;
+    return CHECK_SAY(strstr(s->text, part), "%s: '%s' is not in\n%.600s", what, part,
+                     s->text);
 }
 
 static inline bool said_lacks(const struct said *s, const char *what, const char *part)
 {
-    const bool lacks = CHECK(strstr(s->text, part) == NULL);
-
-    if (!lacks)
-        printf("%s: '%s' is in\n%.600s\n", what, part, s->text);
-    return lacks;
+    return CHECK_SAY(!strstr(s->text, part), "%s: '%s' is in\n%.600s", what, part, s->text);
 }
 
 static inline void said_clear(struct said *s)

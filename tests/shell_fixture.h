@@ -15,9 +15,8 @@ static inline double shell_random(unsigned long long *state)
 
 static inline void shell_bases(struct bspline basis[2], int p, int n, int q, int m)
 {
-    struct message why;
-    REQUIRE(bspline_init_uniform(&basis[0], p, n, &why) == STATUS_OK);
-    REQUIRE(bspline_init_uniform(&basis[1], q, m, &why) == STATUS_OK);
+    REQUIRE(bspline_init_uniform(&basis[0], p, n, NULL) == STATUS_OK);
+    REQUIRE(bspline_init_uniform(&basis[1], q, m, NULL) == STATUS_OK);
 }
 
 /* A sheet 1.3 m x 0.9 m, bent, twisted and skewed, with weights if wanted. */
@@ -42,9 +41,9 @@ static inline void shell_curved(struct shell_space *space, int p, int n, int q, 
             x[2] = 0.3 * u * u - 0.2 * u * v + 0.1 * v * v;
             weight[i * m + j] = 1 + 0.3 * shell_random(&seed);
         }
-    if (!CHECK(shell_space_init(space, basis, point, weights ? weight : NULL, gauss,
-                                selective, &why) == STATUS_OK))
-        printf("%s\n", why.text);
+    CHECK_SAY(shell_space_init(space, basis, point, weights ? weight : NULL, gauss,
+                               selective, &why) == STATUS_OK,
+              "%s", why.text);
     bspline_clear(&basis[0]);
     bspline_clear(&basis[1]);
     free(point);

@@ -24,47 +24,6 @@ static inline void study_begin(int count, char **arguments)
     REQUIRE(freopen("/dev/null", "w", stderr)); /* progress */
 }
 
-/* Any blanks and line ends as one blank. */
-static inline char *study_squeeze(char *text)
-{
-    char *to = text;
-
-    for (const char *from = text; *from; from++) {
-        const bool blank = *from == ' ' || *from == '\n';
-        if (!blank || (to > text && to[-1] != ' '))
-            *to++ = blank ? ' ' : *from;
-    }
-    *to = '\0';
-    return text;
-}
-
-static inline void study_wants(const char *text, const char *want)
-{
-    if (!CHECK(strstr(text, want)))
-        printf("  wanted: %s\n  in: %s\n", want, text);
-}
-
-/* A stream in memory. */
-struct study_printed {
-    char *text;
-    size_t size;
-    FILE *file;
-};
-
-static inline FILE *study_print_to(struct study_printed *p)
-{
-    p->file = open_memstream(&p->text, &p->size);
-    REQUIRE(p->file);
-    return p->file;
-}
-
-/* Freed by the receiver. */
-static inline char *study_printed_text(struct study_printed *p)
-{
-    fclose(p->file);
-    return p->text;
-}
-
 /* --- A plan's. */
 
 struct study_made {
@@ -129,12 +88,11 @@ static inline void study_fill(struct study_made *m)
 /* All levels of a plan with their scenes, 2 m long; a truth where one is asked for. */
 static inline void study_make(struct study_made *m, const char *name)
 {
-    struct message why = {""};
     char path[4096];
 
     *m = (struct study_made){.r.count = 0};
     snprintf(path, sizeof path, SOURCE_DIR "/bench/plans/%s.yaml", name);
-    REQUIRE(plan_read(path, &m->plan, &why) == STATUS_OK);
+    REQUIRE(plan_read(path, &m->plan, NULL) == STATUS_OK);
     m->r.plan = &m->plan;
     m->r.count = m->plan.study_count;
     m->r.study = arena_take(&m->r.arena, (size_t)m->r.count, sizeof *m->r.study);
@@ -154,9 +112,9 @@ static inline void study_make(struct study_made *m, const char *name)
             struct run run;
             struct plan_case c;
             s->row[n].level = &s->plan->levels[n];
-            REQUIRE(plan_case_level(&m->plan, s->plan, s->row[n].level, false, &c, &why) ==
+            REQUIRE(plan_case_level(&m->plan, s->plan, s->row[n].level, false, &c, NULL) ==
                     STATUS_OK);
-            REQUIRE(run_read(&run, &c.run, &why) == STATUS_OK);
+            REQUIRE(run_read(&run, &c.run, NULL) == STATUS_OK);
             memcpy(r->points, run.discretization.points, sizeof r->points);
             r->scene = run.scene;
             run.scene = (struct scene){0};

@@ -26,8 +26,8 @@ static inline char *physics_of(const char *scene, int count, const char *const *
     char *path = NULL, *text = NULL;
 
     REQUIRE(scene_file_find(scene, &path, &why) == STATUS_OK);
-    if (!CHECK(scene_file_read(path, count, settings, &s, &d, &why) == STATUS_OK))
-        printf("%s\n", why.text);
+    CHECK_SAY(scene_file_read(path, count, settings, &s, &d, &why) == STATUS_OK, "%s",
+              why.text);
     REQUIRE(truth_physics(&s, &text) == STATUS_OK);
     scene_clear(&s);
     discretization_clear(&d);
@@ -46,8 +46,7 @@ static inline void write_truth(const char *file, const struct truth *made, int c
 
     REQUIRE(scene_file_find("edge_drop", &path, NULL) == STATUS_OK);
     runs.path = path;
-    if (!CHECK(truth_file_write(file, &runs, made, &why) == STATUS_OK))
-        printf("%s\n", why.text);
+    CHECK_SAY(truth_file_write(file, &runs, made, &why) == STATUS_OK, "%s", why.text);
     settings_clear(&s);
     free(path);
 }
@@ -68,8 +67,8 @@ static inline void asked_open(struct asked *a, const char *scene, int count,
 
     *a = (struct asked){.settings = settings_of(count, settings)};
     REQUIRE(scene_file_find(scene, &a->path, NULL) == STATUS_OK);
-    if (!CHECK(truth_plan_scene(a->path, &a->settings, &a->scene, &why) == STATUS_OK))
-        printf("%s: %s\n", scene, why.text);
+    CHECK_SAY(truth_plan_scene(a->path, &a->settings, &a->scene, &why) == STATUS_OK,
+              "%s: %s", scene, why.text);
     a->runs = (struct truth_runs){a->path, &a->settings, times, time, folder};
 }
 

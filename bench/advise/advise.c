@@ -9,6 +9,7 @@
 #include "bench/harness/deadline.h"
 #include "bench/harness/timing.h"
 #include "models/clock.h"
+#include "models/pattern.h"
 
 /* --- the search --- */
 
@@ -223,7 +224,7 @@ static void add_row(struct dataset *t, const struct advise_search *s,
     dataset_add(t, "%s", reason.text);
 }
 
-static struct dataset *create(const struct advise_search *s, char caption[TEXT])
+static struct dataset *create(const struct advise_search *s)
 {
     static const struct dataset_column columns[] = {
         {"model", .key = "title"},
@@ -236,6 +237,7 @@ static struct dataset *create(const struct advise_search *s, char caption[TEXT])
         {"time for 1 s", "s", .key = "seconds_per_second", .key_unit = "1"},
         {"memory", "MB", .key = "model_bytes", .key_unit = "B", .scale = 1e-6},
         {"why not", .key = "reason"}};
+    char caption[TEXT];
 
     if (is_for_frames(s))
         snprintf(caption, TEXT, "Contestants on %s at %.3g ms a frame, to %.3g s",
@@ -322,30 +324,35 @@ static void say_command(const struct advise_search *s, const struct contest_row 
     fputs("\n\n", file);
 }
 
-/* Says the masses and stiffnesses of the net, if it is one of points; they are
- * advise_net.csv in the folder, too. */
+/* Says the masses and stiffnesses of the net, if it is a grid of points; they are
+ * advise_net.csv in the folder, too. Of any other net of points it says who writes them. */
 static enum status say_net(const struct advise_search *s, const struct contest_row *r,
                            struct printer *p, struct message *why)
 {
     const struct contestant *who = r->at.contestant;
+    const struct pattern *own = scene_of(s)->pattern;
     const struct export_sheet sheet = {
         .scene = scene_of(s),
         .points = {r->at.size[CONTEST_NET], r->at.size[CONTEST_ACROSS]}};
+    char points[64] = "";
 
     if (who->layers || who->degree != 1)
         return STATUS_OK;
-    struct dataset *t = export_numbers_table(&sheet);
     if (!printer_is_prose(p)) {
-        const enum status st = printer_save(p, t, "advise_net", why);
-        dataset_destroy(t);
-        return st;
+        struct dataset *t SCOPED(dataset_destroy_scope) =
+            own ? NULL : export_numbers_table(&sheet);
+        return t ? printer_save(p, t, "advise_net", why) : STATUS_OK;
     }
-    CALL(printer_table(p, t, "advise_net", why));
+    if (!own)
+        CALL(printer_table(p, export_numbers_table(&sheet), "advise_net", why));
+    if (!own || !own->mesh.nodes)
+        snprintf(points, sizeof points, " --points %d,%d", sheet.points[0],
+                 sheet.points[1]);
     fprintf(
         p->file,
-        "This command writes every vertex and spring of it:\n\n    clothbench export %s "
-        "--points %d,%d --out DIR\n\n",
-        s->job->path, sheet.points[0], sheet.points[1]);
+        "This command writes every vertex and spring of it:\n\n    clothbench export %s%s "
+        "--out DIR\n\n",
+        s->job->path, points);
     return STATUS_OK;
 }
 
@@ -389,7 +396,6 @@ static void say_answer(const struct advise_search *s, const struct contest_row *
 enum status advise_print(const struct advise_search *s, struct printer *p,
                          struct message *why)
 {
-    char caption[TEXT];
     const struct contest_row *ranked[MOST];
     const struct contest_row *best = rank(s, ranked) ? ranked[0] : NULL;
 
@@ -399,7 +405,7 @@ enum status advise_print(const struct advise_search *s, struct printer *p,
     }
     if (best)
         CALL(say_net(s, best, p, why));
-    struct dataset *t = create(s, caption);
+    struct dataset *t = create(s);
     fill(t, s);
     note_method(t, s);
     return printer_table(p, t, "advise", why);
@@ -474,10 +480,8 @@ static bool is_undecidable(const struct advise_search *s, const struct message *
     else if (!decidable)
         wrap_say(stdout,
                  "Nothing can be decided: the truth is known to %.2g %% of the length "
-                 "only, and an "
-                 "error of %.3g %% is required. A larger --budget or an earlier --until "
-                 "may help. "
-                 "Truth: %s.",
+                 "only, and an error of %.3g %% is required. A larger --budget or an "
+                 "earlier --until may help. Truth: %s.",
                  100 * contest_largest_bar(c), 100 * s->wish.error, c->truth->source);
     return !decidable;
 }
@@ -539,7 +543,6 @@ static enum status run(struct command_line *line, struct message *why)
         .contest = {.quick = true, .advises = true}};
     struct advise_search s = {.job = &job};
     const char *out = command_value(line, "--out");
-    char folder[4096];
     const char *one = command_value(line, "--contestant"),
                *models = one ? one : command_value(line, "--models");
     double until = NAN;
@@ -551,8 +554,8 @@ static enum status run(struct command_line *line, struct message *why)
     const char *const *set = command_values(line, "--set", &given);
     settings_set_all(&job.user, given, set);
     CALL(compare_job_open(&job, line->words[0], until, why));
-    snprintf(folder, sizeof folder, "results/advise_%s", job.scene.name);
-    job.folder = out ? out : folder;
+    job.folder =
+        out ? out : arena_print(&job.contest.arena, "results/advise_%s", job.scene.name);
     job.contest.cells = scene_same_across(&job.scene) ? 0 : CELLS;
     line->printer.folder = job.folder;
     return answer(&s, models, &line->printer, why);

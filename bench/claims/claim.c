@@ -1,7 +1,5 @@
 #include "bench/claims/claim.h"
 
-#include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #define LIST(plan, list) {plan, claim_##list},
@@ -18,8 +16,7 @@ const struct claim *claim_find(const char *plan)
     return NULL;
 }
 
-/* --- statements of a plan ----------------------------------------------------------------
- */
+/* --- statements of a plan --- */
 
 enum { LABELS = 8 }; /* most labels of a statement's row; more are left out           */
 
@@ -84,8 +81,7 @@ const struct claim *claim_statements(const struct plan *plan, struct arena *a)
     return claims;
 }
 
-/* --- verdicts ----------------------------------------------------------------------------
- */
+/* --- verdicts --- */
 
 static enum verdict judge(const struct claim *c, const struct study_results *d,
                           const struct where *reading, FILE *because)
@@ -142,13 +138,6 @@ static void tell_reading(const struct claim *c, const struct claim_reading *read
                 ftell(turns) ? " " : "", reading->name, verdict_word(other), text);
 }
 
-/* Writes what is open and how it is read, and why; nothing where nothing is open. */
-static void write_reading(const struct claim *c, FILE *file)
-{
-    fprintf(file, "%s%s%s%s", c->readings ? c->readings->name : "", c->reason ? " (" : "",
-            c->reason ? c->reason : "", c->reason ? ")" : "");
-}
-
 /* Returns the verdict that the results allow: of seconds only those of an idle machine, of
  * a quick run only what it settles. */
 static enum verdict allowed(const struct claim *c, const struct study_results *d,
@@ -168,7 +157,9 @@ struct judge_told claim_judge(const struct claim *c, const struct study_results 
 
     for (int n = 0; n < TEXTS; n++)
         begin(&text[n]);
-    write_reading(c, text[READING].file);
+    fputs(r ? r->name : "", text[READING].file);
+    if (c->reason)
+        fprintf(text[READING].file, " (%s)", c->reason);
     const enum verdict turn = judge(c, d, r ? r->rows : NULL, text[HERE].file);
     for (r = r ? r + 1 : NULL; r && r->name; r++)
         tell_reading(c, r, d, turn, text[TURNS].file, text[OURS].file, a);
@@ -185,8 +176,7 @@ struct judge_told claim_judge(const struct claim *c, const struct study_results 
                                .ours = end(&text[OURS], a)};
 }
 
-/* --- what is printed ---------------------------------------------------------------------
- */
+/* --- what is printed --- */
 
 const struct judge_told *claim_all(const struct study_results *d, struct arena *a,
                                    int *count)

@@ -1,6 +1,5 @@
 /* Claims on contact that is tested at control points alone (plan control-net; Ren et al.
  * 2024, section 4.2). */
-#include <math.h>
 #include <string.h>
 
 #include "bench/claims/claim.h"

@@ -1,12 +1,10 @@
 /* Claims on the paper's figures of falling sheets (plans fig6,
  * plasticity, drops, flag, artefacts, contact). */
 #include <math.h>
-#include <string.h>
 
 #include "bench/claims/claim.h"
 
-/* --- fig6 --------------------------------------------------------------------------------
- */
+/* --- fig6 --- */
 
 /* Over-stretched: beyond Provot's limit (1995), 10 %. Rough: more than half again as rough
  * as the IGA plate at its roughest. */
@@ -114,8 +112,7 @@ const struct claim claim_fig6[] = {
      .readings = THE_PLATE, .reason = TEXT "; " TIMES},
     {0}};
 
-/* --- plasticity --------------------------------------------------------------------------
- */
+/* --- plasticity --- */
 
 /* The share of its largest deflection below which a sheet has returned. */
 static const double RETURNED = 0.05;
@@ -146,8 +143,7 @@ const struct claim claim_plasticity[] = {
      .reason = TEXT},
     {0}};
 
-/* --- drops -------------------------------------------------------------------------------
- */
+/* --- drops --- */
 
 /* Angle of a sheet that hangs along gravity [degrees]. */
 static const double PLUMB = 90;
@@ -223,8 +219,7 @@ const struct claim claim_drops[] = {
      corners_wrinkle, DROPS},
     {0}};
 
-/* --- flag --------------------------------------------------------------------------------
- */
+/* --- flag --- */
 
 #define PRINTED WHERE({"level", "printed (the paper's)"})
 #define SOLID   WHERE({"level", "nonlinear solid, selective"})
@@ -279,8 +274,7 @@ static enum verdict nets_crumple(const struct study_results *d, FILE *because)
 
 const struct claim claim_flag[] = {
     {"Fig. 15: most of the flag's fall is the flow of the printed scheme, not the bending "
-     "of "
-     "its material",
+     "of its material",
      "", true, fall_is_flow},
     {"Fig. 15: the printed scheme does not settle as the net is refined", "", true,
      net_decides},
@@ -289,8 +283,7 @@ const struct claim claim_flag[] = {
      "", true, nets_crumple},
     {0}};
 
-/* --- artefacts ---------------------------------------------------------------------------
- */
+/* --- artefacts --- */
 
 /* Judges whether the rules of Table 4 give the row the label; NULL: none at all. */
 static enum verdict shows(const struct study_results *d, const char *label,
@@ -330,8 +323,7 @@ const struct claim claim_artefacts[] = {
     {"penetration: row 2", "4.3, Fig. 16", true, row_2_penetrates},
     {0}};
 
-/* --- contact -----------------------------------------------------------------------------
- */
+/* --- contact --- */
 
 /* Judges whether the sheet has come to rest. There it is slower than what gravity gives in
  * a step: the scheme has no other speed for what it puts back on the ground in each step.

@@ -1,12 +1,9 @@
 /* The paper's Table 4 (plan table4-readings): its words beside the rules', and what is
  * claimed of them. */
 #include <math.h>
-#include <string.h>
 
 #include "bench/claims/claim.h"
 #include "bench/claims/paper.h"
-
-#define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
 
 /* An answer is whether a row is feasible (0), or has the paper's label n - 1; answers of a
  * row are bits. */
@@ -37,23 +34,20 @@ static int papers(int row)
     return labels ? labels << 1 : 1;
 }
 
-/* Returns the answers of a row by the rules; -1: they cannot judge it. */
-static int ours_at(const struct study_results *d, const struct where *row)
+/* Returns the answers of a row by the rules, NULL: in the claim's reading; -1: they cannot
+ * judge it. */
+static int ours(const struct study_results *d, const char *reading, int scene, int row)
 {
+    const struct where *where = reading ? AT(reading, scene, row) : HERE(row);
     int bits = 0;
 
     for (int n = 0; n < ANSWERS; n++) {
-        const enum verdict is = results_verdict(d, n ? name_of(n) : NULL, row);
+        const enum verdict is = results_verdict(d, n ? name_of(n) : NULL, where);
         if (is == VERDICT_OPEN)
             return -1;
         bits |= (is == VERDICT_HOLDS) << n;
     }
     return bits;
-}
-
-static int ours(const struct study_results *d, const char *reading, int scene, int row)
-{
-    return ours_at(d, AT(reading, scene, row));
 }
 
 /* Numbers of rows that can be judged, are called so, are answered as the paper answers
@@ -62,32 +56,19 @@ struct count {
     int judged, called, agree, same, paper;
 };
 
-static void add(struct count *c, int we, int they, int answer)
-{
-    c->paper += they >> answer & 1;
-    c->judged += we >= 0;
-    c->called += we >= 0 && we >> answer & 1;
-    c->agree += we >= 0 && !((we ^ they) >> answer & 1);
-    c->same += we == they;
-}
-
 static struct count count(const struct study_results *d, const char *reading, int scene,
                           int answer)
 {
     struct count c = {0};
 
-    for (int row = 0; row < ROWS; row++)
-        add(&c, ours(d, reading, scene, row), papers(row), answer);
-    return c;
-}
-
-/* Counts in the claim's reading. */
-static struct count count_here(const struct study_results *d, int answer)
-{
-    struct count c = {0};
-
-    for (int row = 0; row < ROWS; row++)
-        add(&c, ours_at(d, HERE(row)), papers(row), answer);
+    for (int row = 0; row < ROWS; row++) {
+        const int we = ours(d, reading, scene, row), they = papers(row);
+        c.paper += they >> answer & 1;
+        c.judged += we >= 0;
+        c.called += we >= 0 && we >> answer & 1;
+        c.agree += we >= 0 && !((we ^ they) >> answer & 1);
+        c.same += we == they;
+    }
     return c;
 }
 
@@ -118,17 +99,16 @@ static int two_bounds(int answer)
 /* Writes "yes" or "no: over-stretched, penetration". */
 static void words_cell(struct dataset *t, int answers)
 {
-    char text[128];
+    char labels[128] = "";
 
-    snprintf(text, sizeof text, "%s",
-             answers < 0   ? "not judged"
-             : answers & 1 ? "yes"
-                           : "no");
     for (int n = 1; answers > 0 && n < ANSWERS; n++)
         if (answers >> n & 1)
-            snprintf(text + strlen(text), sizeof text - strlen(text), "%s%s",
-                     strchr(text, ':') ? ", " : ": ", name_of(n));
-    dataset_add(t, "%s", text);
+            TEXT_JOIN(labels, ", ", "%s", name_of(n));
+    dataset_add(t, "%s%s%s",
+                answers < 0   ? "not judged"
+                : answers & 1 ? "yes"
+                              : "no",
+                *labels ? ": " : "", labels);
 }
 
 static struct dataset *words_table(const struct study_results *d)
@@ -217,7 +197,7 @@ static enum verdict of_all(int agree, int judged)
 
 static enum verdict two_are_feasible(const struct study_results *d, FILE *because)
 {
-    const struct count c = count_here(d, 0);
+    const struct count c = count(d, NULL, 0, 0);
 
     if (!has_verdicts(d, because))
         return VERDICT_OPEN;
@@ -231,7 +211,7 @@ static enum verdict two_are_feasible(const struct study_results *d, FILE *becaus
 
 static enum verdict words_are_the_same(const struct study_results *d, FILE *because)
 {
-    const struct count c = count_here(d, 0);
+    const struct count c = count(d, NULL, 0, 0);
 
     if (!has_verdicts(d, because))
         return VERDICT_OPEN;
@@ -291,7 +271,7 @@ static enum verdict rule(const struct study_results *d, int which, int sign,
     if (!has_verdicts(d, because))
         return VERDICT_OPEN;
     for (int row = 0; row < ROWS; row++) {
-        here[row] = ours_at(d, HERE(row));
+        here[row] = ours(d, NULL, 0, row);
         paper[row] = papers(row);
         judged &= here[row] >= 0;
     }
@@ -374,7 +354,7 @@ static enum verdict one_parameter(const struct study_results *d, FILE *because)
     static const char *const row[] = {"4", "7", "14"};
     double most = 0;
 
-    for (int n = 0; n < COUNT(row); n++)
+    for (int n = 0; n < 3; n++)
         most = judge_most(
             most,
             results_apart(d, WHERE({"reading", "printed, fourfold"}, {"row", row[n]}),
@@ -422,7 +402,7 @@ static enum verdict row_7_is_chaos(const struct study_results *d, FILE *because)
     if (!has_verdicts(d, because))
         return VERDICT_OPEN;
     for (int row = 0; row < ROWS; row++) {
-        const int we = ours_at(d, HERE(row));
+        const int we = ours(d, NULL, 0, row);
         const bool so = we >= 0 && we >> bit & 1;
         judged += we >= 0;
         if (so && others + row_7 == 0)
@@ -452,9 +432,8 @@ static enum verdict it_flows(const struct study_results *d, FILE *because)
         because,
         "These sheets are boards and not cloth: Gamma, weight against bending, is %.3g to "
         "%.3g in these rows and 5e4 or more in measured fabrics of 1 m. The undamped "
-        "shell, an elastic sheet "
-        "with these numbers, sinks with its middle line by %.2g degrees at most on flag "
-        "in row 4, the printed one's by %.3g.",
+        "shell, an elastic sheet with these numbers, sinks with its middle line by %.2g "
+        "degrees at most on flag in row 4, the printed one's by %.3g.",
         results_least(d, QUANTITY_GAMMA, rows), results_most(d, QUANTITY_GAMMA, rows),
         shell, printed);
     return judge_both(judge_below(results_most(d, QUANTITY_GAMMA, rows), 5e4),

@@ -14,6 +14,9 @@
 #define PRINTED(model_, net_)                                                              \
     WHERE({"study", "printed"}, {"scene", "corners"}, {"model", model_}, {"net", net_})
 
+#define SHEET(study_, scene_, time)                                                        \
+    WHERE({"study", study_}, {"scene", scene_}, {"at", time})
+
 enum { NETS = 12 };
 
 /* Judges whether the paper's net is the first that is so near, at all times of the reading.
@@ -104,31 +107,23 @@ const struct claim claim_table1[] = {
     {"hexahedra come within an RMSE of 0.04 of the plate from 32x32x2 on", "4.1, Table 1",
      true, criterion,
      .readings = CLAIM_READINGS(
-         {"two corners held, rho 1, printed, at 0.5 s",
-          WHERE({"study", "printed"}, {"scene", "corners"}, {"at", "0.5"})},
-         {"at 0.3 s", WHERE({"study", "printed"}, {"scene", "corners"}, {"at", "0.3"})},
-         {"at 0.8 s", WHERE({"study", "printed"}, {"scene", "corners"}, {"at", "0.8"})},
-         {"at 1 s", WHERE({"study", "printed"}, {"scene", "corners"}, {"at", "1"})},
-         {"all times to 1 s",
-          WHERE({"study", "printed"}, {"scene", "corners"}, {"at", "*"})},
-         {"an edge held, rho 0.5, at 0.5 s",
-          WHERE({"study", "printed"}, {"scene", "edge"}, {"at", "0.5"})},
-         {"an edge held, rho 0.5, all times to 1 s",
-          WHERE({"study", "printed"}, {"scene", "edge"}, {"at", "*"})},
-         {"incremental, undamped, at 0.5 s",
-          WHERE({"study", "incremental"}, {"scene", "corners"}, {"at", "0.5"})}),
+         {"two corners held, rho 1, printed, at 0.5 s", SHEET("printed", "corners", "0.5")},
+         {"at 0.3 s", SHEET("printed", "corners", "0.3")},
+         {"at 0.8 s", SHEET("printed", "corners", "0.8")},
+         {"at 1 s", SHEET("printed", "corners", "1")},
+         {"all times to 1 s", SHEET("printed", "corners", "*")},
+         {"an edge held, rho 0.5, at 0.5 s", SHEET("printed", "edge", "0.5")},
+         {"an edge held, rho 0.5, all times to 1 s", SHEET("printed", "edge", "*")},
+         {"incremental, undamped, at 0.5 s", SHEET("incremental", "corners", "0.5")}),
      .reason =
          "section 4.1 has this sheet, and 0.5 s is the first time that the paper shows"},
     {"the shell gives a result that is similar to the plate's", "4.1, Table 1", true,
      is_similar,
      .readings = CLAIM_READINGS(
-         {"Newton's method against printed, at 0.5 s",
-          WHERE({"study", "printed"}, {"scene", "corners"}, {"at", "0.5"})},
-         {"at 0.2 s", WHERE({"study", "printed"}, {"scene", "corners"}, {"at", "0.2"})},
-         {"an edge held, at 0.5 s",
-          WHERE({"study", "printed"}, {"scene", "edge"}, {"at", "0.5"})},
-         {"both linear, an edge held, at 0.4 s",
-          WHERE({"study", "linear"}, {"scene", "edge"}, {"at", "0.4"})}),
+         {"Newton's method against printed, at 0.5 s", SHEET("printed", "corners", "0.5")},
+         {"at 0.2 s", SHEET("printed", "corners", "0.2")},
+         {"an edge held, at 0.5 s", SHEET("printed", "edge", "0.5")},
+         {"both linear, an edge held, at 0.4 s", SHEET("linear", "edge", "0.4")}),
      .reason = "the first time that the paper shows; its shell is another program"},
     {"Hexahedra with the plate's error at rest are dearer than the plate", "", false,
      equal_error, .timed = true},

@@ -152,33 +152,24 @@ static void plan_row(struct compare_job *j, const struct contest_row *row,
     contest_settings(&j->contest, at, &c->settings);
 }
 
-static enum status run_batch(struct compare_job *j, struct batch *batch,
-                             struct message *why)
-{
-    return batch_run(batch,
-                     &(struct measurement_options){.what = "compare",
-                                                   .quick = j->contest.quick,
-                                                   .until = j->until,
-                                                   .taken = &j->taken},
-                     why);
-}
-
 enum status compare_job_rows(void *job, int first, struct message *why)
 {
     struct compare_job *j = job;
     struct contest *c = &j->contest;
     const bool needed = first == 0 && !(c->budget > 0); /* no budget cut the ladder short */
-    struct batch batch;
+    const struct measurement_options options = {
+        .what = "compare", .quick = c->quick, .until = j->until, .taken = &j->taken};
+    struct batch batch SCOPED(batch_clear) = {0};
     struct message said = {""};
-    enum status st, late = STATUS_OK;
+    enum status late = STATUS_OK;
 
     batch_init(&batch, j->folder, c->count - first);
     for (int n = first; n < c->count; n++)
         plan_row(j, &c->rows[n], &batch);
     if (!j->read_only)
-        late = run_batch(j, &batch, &said);
+        late = batch_run(&batch, &options, &said);
     if (late != STATUS_LATE && late != STATUS_OK)
-        TRY(status_fail(why, late, "%s", said.text));
+        return status_fail(why, late, "%s", said.text);
     for (int n = first; n < c->count; n++) {
         const struct case_plan *of = &batch.cases[n - first];
         struct run_result r = {0};
@@ -187,14 +178,11 @@ enum status compare_job_rows(void *job, int first, struct message *why)
             contest_set_absent(&c->rows[n]);
             continue;
         }
-        TRY(run_result_read(of->keep.file, true, &r, why));
+        CALL(run_result_read(of->keep.file, true, &r, why));
         contest_fill(c, &r, &c->rows[n]);
         run_result_clear(&r);
     }
-    st = late ? status_fail(why, late, "%s", said.text) : late;
-out:
-    batch_clear(&batch);
-    return st;
+    return late ? status_fail(why, late, "%s", said.text) : late;
 }
 
 static enum status measure_all(struct compare_job *j, struct message *why)
@@ -294,22 +282,16 @@ static void note_end(struct dataset *t, const struct contest *c,
                      r->result.sentence.text);
 }
 
-static void add_net(struct dataset *t, const struct contest *c,
-                    const int size[CONTEST_AXES])
-{
-    dataset_add(t, "%d|%d|%dx%d|%.3g|%.0f", size[CONTEST_NET], size[CONTEST_ACROSS],
-                size[CONTEST_NET], size[CONTEST_ACROSS],
-                c->scene->step / size[CONTEST_STEP],
-                size[CONTEST_ITERATIONS] ? size[CONTEST_ITERATIONS] : NAN);
-}
-
 static void add_run(struct dataset *t, const struct contest *c, const struct contest_row *r)
 {
     const struct contestant *who = r->at.contestant;
     const bool ran = !run_result_refused(&r->result), timed = ran && !r->probe;
+    const int *size = r->at.size, along = size[CONTEST_NET], across = size[CONTEST_ACROSS];
 
-    dataset_line(t, "%s|%s|%s|%s", who->title, who->column, who->name, who->model->name);
-    add_net(t, c, r->at.size);
+    dataset_line(t, "%s|%s|%s|%s|%d|%d|%dx%d|%.3g|%.0f", who->title, who->column, who->name,
+                 who->model->name, along, across, along, across,
+                 c->scene->step / size[CONTEST_STEP],
+                 size[CONTEST_ITERATIONS] ? size[CONTEST_ITERATIONS] : NAN);
     dataset_add(t, "%.0f|%.3g|%.3g|%.0f|%.2g|%.3g", ran ? r->result.unknowns : NAN,
                 timed ? r->result.create.median : NAN,
                 timed ? r->result.step.median * (double)r->result.steps : NAN,
@@ -506,12 +488,11 @@ static enum status print_limits(const struct contest *c, struct printer *p,
         t,
         "The column `in real time` is the lowest error of runs that took no longer, set-up "
         "included, than the %.3g s that they simulate. The column `limited by` follows "
-        "from "
-        "repeating the most accurate run with half as many points more (in both directions "
-        "if its cells are about square, else along u), with half as many more across, with "
-        "half the step, or with twice the iterations, one at a time: it names the change "
-        "that lowers the error most, by %.0f %% at least. `The truth` means that the error "
-        "is %g bars of the truth or less, each %.2g %% at most.",
+        "from repeating the most accurate run with half as many points more (in both "
+        "directions if its cells are about square, else along u), with half as many more "
+        "across, with half the step, or with twice the iterations, one at a time: it names "
+        "the change that lowers the error most, by %.0f %% at least. `The truth` means "
+        "that the error is %g bars of the truth or less, each %.2g %% at most.",
         c->truth->time[c->truth->times - 1], 100 * CONTEST_LEAST_GAIN, CONTEST_NEAR_BAR,
         100 * contest_largest_bar(c));
     return printer_table(p, t, "compare_limits", why);
@@ -620,42 +601,30 @@ static enum status find_truth(struct compare_job *j, bool all_times, struct mess
     return STATUS_OK;
 }
 
-/* Writes the folder of a scene's files: that of --from or --out, `given`, in which several
- * scenes have a folder each. */
-static void choose_folder(const struct command_line *line, const char *given,
-                          const char *scene, size_t size, char *folder)
-{
-    if (given && line->word_count == 1)
-        snprintf(folder, size, "%s", given);
-    else if (given)
-        snprintf(folder, size, "%s/%s", given, scene);
-    else
-        snprintf(folder, size, "results/compare_%s", scene);
-}
-
+/* Runs a scene and prints what came of it; its files are in the folder of --from or --out,
+ * `given`, in which several scenes have a folder each. */
 static enum status run_scene(struct compare_job *j, struct command_line *line,
                              const char *given, struct message *why)
 {
-    enum status st;
-    char folder[4096];
+    struct arena *arena = &j->contest.arena;
+    const char *scene = j->scene.name;
 
-    choose_folder(line, given, j->scene.name, sizeof folder, folder);
-    j->folder = folder;
-    TRY(compare_job_enter(j, command_value(line, "--models"),
-                          j->contest.budget > 0 ? 1 : CONTEST_RUNGS, true, why));
+    j->folder = !given                  ? arena_print(arena, "results/compare_%s", scene)
+                : line->word_count == 1 ? given
+                                        : arena_print(arena, "%s/%s", given, scene);
+    CALL(compare_job_enter(j, command_value(line, "--models"),
+                           j->contest.budget > 0 ? 1 : CONTEST_RUNGS, true, why));
     if (!j->read_only)
-        TRY(folder_make(folder, why));
+        CALL(folder_make(j->folder, why));
     timing_alone();
-    TRY(find_truth(j, command_value(line, "--until"), why));
+    CALL(find_truth(j, command_value(line, "--until"), why));
     if (*j->contest.truth->unresolved && printer_is_prose(&line->printer))
         wrap_say(stdout, "%s", j->contest.truth->unresolved);
-    TRY(compare_job_measure(j, why));
-    line->printer.folder = folder;
-    TRY(compare_print(&j->contest, &line->printer, why));
-    show_tell(folder);
-out:
-    j->folder = NULL;
-    return st;
+    CALL(compare_job_measure(j, why));
+    line->printer.folder = j->folder;
+    CALL(compare_print(&j->contest, &line->printer, why));
+    show_tell(j->folder);
+    return STATUS_OK;
 }
 
 /* Reads all scenes, before the first is run: each has a name of its own. */

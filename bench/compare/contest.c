@@ -1,7 +1,6 @@
 #include "bench/compare/contest.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 #include "bench/harness/fit.h"
@@ -12,10 +11,9 @@
 const double contest_target[CONTEST_TARGETS] = {0.03, 0.02, 0.01, 0.005, 0.002};
 
 const char *const contest_rule = "Settings are the same on every scene: stiffnesses, "
-                                 "compliances and stable steps follow "
-                                 "from E, nu, rho, h and the net by each model's own rule; "
-                                 "only net, step and iterations "
-                                 "are searched.";
+                                 "compliances and stable steps follow from E, nu, rho, h "
+                                 "and the net by each model's own rule; only net, step and "
+                                 "iterations are searched.";
 
 /* --- refinements --- */
 
@@ -28,13 +26,6 @@ int contest_across(const struct contest *c, const struct contestant *who, int al
     const long cells = lround((along - who->degree) * shape);
 
     return (int)fmin(along, who->degree + fmax(LEAST_ACROSS, (double)cells));
-}
-
-struct contest_at contest_square(const struct contest *c, const struct contestant *who,
-                                 int along, int step, int iterations)
-{
-    return (struct contest_at){who,
-                               {along, contest_across(c, who, along), step, iterations}};
 }
 
 /* Returns whether cells are longer one way than c->cells times the other. */
@@ -139,11 +130,12 @@ int contest_ladder(const struct contest *c, const struct contestant *who,
     int count = 0;
 
     for (int s = 0, last = 0; s < sides; s++) {
-        const int side = contest_fit(c, who, CONTEST_NET, who->points[s]);
+        const int side = contest_fit(c, who, CONTEST_NET, who->points[s]),
+                  across = contest_across(c, who, side);
         for (int d = 0; d < divisors && side != last; d++)
             for (int i = 0; i == 0 || i < iterations; i++)
-                at[count++] = contest_square(c, who, side, who->divisors[d],
-                                             iterations ? who->iterations[i] : 0);
+                at[count++] = (struct contest_at){
+                    who, {side, across, who->divisors[d], who->iterations[i]}};
         last = side;
     }
     return count;
@@ -304,7 +296,7 @@ bool contest_on_front(const struct contest *c, const struct contest_row *row)
 double contest_growth(const struct contest *c, const struct contestant *who)
 {
     struct arena own SCOPED(arena_clear) = {0};
-    double *error = arena_take(&own, (size_t)c->count, sizeof *error), power = NAN;
+    double *error = arena_take(&own, (size_t)c->count, sizeof *error);
     double *seconds = arena_take(&own, (size_t)c->count, sizeof *seconds);
     int count = 0;
 
@@ -313,9 +305,7 @@ double contest_growth(const struct contest *c, const struct contestant *who)
             error[count] = c->rows[n].worst;
             seconds[count++] = c->rows[n].seconds;
         }
-    if (count >= 3)
-        power = -fit_exponent(count, error, seconds);
-    return power;
+    return count >= 3 ? -fit_exponent(count, error, seconds) : NAN;
 }
 
 /* --- what limits a contestant --- */
@@ -445,15 +435,13 @@ static void add_unseen(const struct contest *c, const struct contest_limit *l,
  * none. */
 static void add_idle(const struct contest_limit *l, struct message *words)
 {
-    bool some = false;
+    struct message idle = {""};
 
     for (int axis = 0; axis < CONTEST_AXES; axis++)
-        if (!isnan(l->gain[axis])) {
-            message_add(words, "%s%s", some ? ", " : "", contest_kind_name[axis]);
-            some = true;
-        }
-    if (some)
-        message_add(words, " no nearer");
+        if (!isnan(l->gain[axis]))
+            TEXT_JOIN(idle.text, ", ", "%s", contest_kind_name[axis]);
+    if (*idle.text)
+        message_add(words, "%s no nearer", idle.text);
 }
 
 void contest_tell(const struct contest *c, const struct contest_limit *l,

@@ -70,10 +70,6 @@ struct contest {
  * but three at least, and no more points than along u. */
 int contest_across(const struct contest *c, const struct contestant *who, int along);
 
-/* Returns a refinement with cells about as long as wide. */
-struct contest_at contest_square(const struct contest *c, const struct contestant *who,
-                                 int along, int step, int iterations);
-
 /* Returns `at` with another size along one axis. With the net go the points across: cells
  * about as long as wide stay so; fewer across than these need stay as many, but no more
  * than they need, and more across stay as many, but no fewer. */

@@ -109,7 +109,7 @@ static void note_winner(struct dataset *t, const struct contest *c)
 static enum status print_people(int count, const struct contest *const *contests,
                                 struct printer *p, struct message *why)
 {
-    struct arena own = {0};
+    struct arena own SCOPED(arena_clear) = {0};
     struct dataset_column *columns = arena_take(&own, (size_t)count + 1, sizeof *columns);
 
     columns[0] = (struct dataset_column){"model"};
@@ -119,7 +119,6 @@ static enum status print_people(int count, const struct contest *const *contests
         count + 1, columns,
         "Least seconds (set-up and stepping) to the error of each scene, RMSE/L at the "
         "worst of its times; in brackets the lowest error where that is not reached");
-    arena_clear(&own);
     for (const struct contestant *who = contestant_table; who->name; who++) {
         bool somewhere = false;
         for (int s = 0; s < count; s++)

@@ -204,11 +204,9 @@ static unsigned held_whole(const struct export_sheet *s, int i, int j)
 /* Returns whether all components of a direction are fixed. */
 static bool has_direction(unsigned fix, const double from[3], const double to[3])
 {
-    double length = 0;
+    const double length = vector_distance(from, to);
     bool all = true;
 
-    for (int c = 0; c < 3; c++)
-        length = hypot(length, to[c] - from[c]);
     for (int c = 0; c < 3; c++)
         all &= (fix >> c & 1) || fabs(to[c] - from[c]) <= ROUNDING * length;
     return all;
@@ -250,9 +248,8 @@ static enum status check_held(const struct scene *scene, struct message *why)
         if (!is_whole(s) && !(s->lo[2] == 0.5 && s->hi[2] == 0.5))
             return status_fail(
                 why, STATUS_UNSUPPORTED,
-                "supports[%d] holds w from %g to %g: vertices of a "
-                "mid-surface say the whole thickness (a clamp) or w = 0.5 (a "
-                "hinge)",
+                "supports[%d] holds w from %g to %g: vertices of a mid-surface say the "
+                "whole thickness (a clamp) or w = 0.5 (a hinge)",
                 n, s->lo[2], s->hi[2]);
     }
     return STATUS_OK;
@@ -410,19 +407,6 @@ static void add_paths(const struct scene *scene, const struct supports *supports
     }
 }
 
-/* Finds the supports' vertices by the rule that all models share. */
-static enum status find_supports(struct arena *arena, const struct export_sheet *s,
-                                 struct supports *supports, struct message *why)
-{
-    const int vertices = export_sheet_vertices(s);
-    double(*uvw)[3] = arena_take(arena, 2 * (size_t)vertices, sizeof *uvw);
-    double(*rest)[3] = uvw + vertices;
-
-    for (int n = 0; n < vertices; n++)
-        export_sheet_vertex(s, n, uvw[n], rest[n]);
-    return supports_init(supports, s->scene, vertices, uvw, *rest, why);
-}
-
 /* Finds the held vertices. STATUS_UNSUPPORTED with a sentence: vertices cannot express how
  * the scene holds the sheet, STATUS_INPUT: a support holds none of them. */
 static enum status export_held_find(struct arena *arena, struct export_sheet *s,
@@ -430,10 +414,13 @@ static enum status export_held_find(struct arena *arena, struct export_sheet *s,
 {
     const int vertices = export_sheet_vertices(s);
     struct supports supports SCOPED(supports_clear) = {0};
+    double(*uvw)[3] = arena_take(arena, 2 * (size_t)vertices, sizeof *uvw);
+    double(*rest)[3] = uvw + vertices;
 
-    *held = (struct export_held){0};
     CALL(check_held(s->scene, why));
-    CALL(find_supports(arena, s, &supports, why));
+    for (int n = 0; n < vertices; n++)
+        export_sheet_vertex(s, n, uvw[n], rest[n]);
+    CALL(supports_init(&supports, s->scene, vertices, uvw, *rest, why));
     /* a vertex may have one outside along u and one along v; a mesh two an edge */
     held->vertex = arena_take(arena, 7 * ((size_t)vertices + 1), sizeof *held->vertex);
     for (int n = 0; n < vertices; n++)
@@ -473,7 +460,7 @@ static void export_held_csv(struct export_job *j, struct output *out)
     }
 }
 
-/* Writes the mesh at rest. */
+/* --- the mesh at rest --- */
 
 /* Finds the corners of the n-th triangle, counted from 0: counter-clockwise seen from where
  * u x v points. A cell's diagonals alternate, so that the mesh has no bias. */
@@ -519,7 +506,7 @@ static void put_pattern(const struct mesh_flat *flat, const double origin[2],
     }
 }
 
-/* Write one file each. STATUS_MEMORY; output.h says what cannot be written. */
+/* Writes rest.obj. */
 static void export_mesh_obj(struct export_job *j, struct output *out)
 {
     const struct export_sheet *s = &j->sheet;
@@ -623,8 +610,7 @@ static void export_mesh_csv(struct export_job *j, struct output *out)
     }
 }
 
-/* The numbers that a simulator needs besides the mesh: materials.csv, times.csv, and where
- * the scene has them obstacles.csv, paths.csv, loads.csv, velocities.csv. */
+/* --- the numbers that a simulator needs besides the mesh --- */
 
 /* A stiffness over E h below this is round-off: long cells do not need that spring. */
 static const double NOTHING = 1e-12;
@@ -635,9 +621,9 @@ static const double SAME = 1e-9;
 
 struct number {
     const char *quantity;
-    int a, b; /* vertices; -1: none                                                    */
     double value;
     const char *unit;
+    int a, b;                  /* vertices; -1: none                                   */
     double length, compliance; /* at rest [m], 1/value; NaN: none                      */
 };
 /* The receiver of the numbers. */
@@ -646,9 +632,12 @@ struct taker {
     void *context;
 };
 
+/* Passes on a number: its quantity, value, unit, and of a spring or vertex the rest. */
+#define PUT(t, ...) (t)->take((t)->context, &(struct number){__VA_ARGS__})
+
 static void put(const struct taker *t, const char *quantity, double value, const char *unit)
 {
-    t->take(t->context, &(struct number){quantity, -1, -1, value, unit, NAN, NAN});
+    PUT(t, quantity, value, unit, -1, -1, NAN, NAN);
 }
 
 /* Passes on a fabric's moduli along warp and weft, and those of an orthotropic solid as
@@ -715,8 +704,7 @@ static void put_hinges(const struct export_sheet *s, const struct taker *t)
                  {"hinge v held", k.held_v}};
 
     for (size_t n = 0; n < sizeof hinge / sizeof *hinge; n++)
-        t->take(t->context, &(struct number){hinge[n].name, -1, -1, hinge[n].k, "N m", NAN,
-                                             1 / hinge[n].k});
+        PUT(t, hinge[n].name, hinge[n].k, "N m", -1, -1, NAN, 1 / hinge[n].k);
 }
 
 /* Returns our number of a node of the springs' net, which counts along v first. */
@@ -736,23 +724,17 @@ static void put_springs(const struct export_sheet *s, const struct taker *t,
         spring_net_init(&net, s->scene, s->mesh ? s->mesh : &mesh, PARAMETERS_MATCHED,
                         false) != STATUS_OK)
         arena_end();
-    for (int n = 0; s->mesh && n < net.spring_count; n++) {
-        const struct spring *k = &net.springs[n];
-        t->take(t->context, &(struct number){"spring", k->a, k->b, k->stiffness, "N/m",
-                                             k->length, 1 / k->stiffness});
-    }
-    for (int n = 0; !s->mesh && n < net.spring_count; n++) {
-        const struct spring *k = &net.springs[n];
-        if (!(k->stiffness > NOTHING * s->scene->young * s->scene->thickness))
-            continue;
-        const int di = k->b / mesh.points[1] != k->a / mesh.points[1];
-        const int dj = k->b % mesh.points[1] != k->a % mesh.points[1];
-        t->take(t->context,
-                &(struct number){name[di && dj ? SPRING_DIAGONAL
-                                      : di     ? SPRING_U
-                                               : SPRING_V],
-                                 vertex_of(s, k->a), vertex_of(s, k->b), k->stiffness,
-                                 "N/m", k->length, 1 / k->stiffness});
+    for (const struct spring *k = net.springs; k < net.springs + net.spring_count; k++) {
+        const int m = s->points[1]; /* none of a mesh */
+        if (s->mesh)
+            PUT(t, "spring", k->stiffness, "N/m", k->a, k->b, k->length, 1 / k->stiffness);
+        else if (k->stiffness > NOTHING * s->scene->young * s->scene->thickness)
+            PUT(t,
+                name[k->b / m == k->a / m   ? SPRING_V
+                     : k->b % m == k->a % m ? SPRING_U
+                                            : SPRING_DIAGONAL],
+                k->stiffness, "N/m", vertex_of(s, k->a), vertex_of(s, k->b), k->length,
+                1 / k->stiffness);
     }
     spring_net_tell(&net, s->scene, misfit);
 }
@@ -768,8 +750,7 @@ static void each(const struct export_sheet *s, const struct taker *t,
 
     put_material(s->scene, t);
     for (int n = 0; n < export_sheet_vertices(s); n++)
-        t->take(t->context, &(struct number){"mass", n, -1, areal * export_sheet_area(s, n),
-                                             "kg", NAN, NAN});
+        PUT(t, "mass", areal * export_sheet_area(s, n), "kg", n, -1, NAN, NAN);
     if (s->scene->shape != SCENE_FLAT)
         return;
     const struct law law = scene_law(s->scene);
@@ -831,10 +812,9 @@ struct dataset *export_numbers_table(const struct export_sheet *s)
     dataset_note(
         table,
         "mass: of a vertex - corner, rim, inside; springs: half as stiff on the rim; "
-        "hinge: bending by the angle theta between two triangles, k theta^2 / 2, over "
-        "an inner edge along u, v or a diagonal, or over one of whose triangles one is "
-        "held, at a clamp; compliance: of XPBD, with C = length - rest length or C = "
-        "theta.");
+        "hinge: bending by the angle theta between two triangles, k theta^2 / 2, over an "
+        "inner edge along u, v or a diagonal, or over one of whose triangles one is held, "
+        "at a clamp; compliance: of XPBD, with C = length - rest length or C = theta.");
     if (*misfit.text)
         dataset_note(table, "Springs are no plane stress: %s.", misfit.text);
     return table;
@@ -984,29 +964,20 @@ static void export_numbers_loads(struct export_job *j, struct output *out)
     }
 }
 
-/* Finds the velocity of vertex n at t = 0, none in components that are held [m/s]. *held
- * goes through the held vertices as n goes up from 0, and begins at 0. */
-static void export_numbers_velocity(const struct export_job *j, int n, int *held,
-                                    double v[3])
-{
-    const bool is_held = *held < j->held.count && j->held.vertex[*held].vertex == n;
-    const unsigned fix = is_held ? j->held.vertex[(*held)++].fix : 0;
-    double uvw[3], x[3] = {0};
-
-    if (n < export_sheet_vertices(&j->sheet)) /* others are held */
-        export_sheet_vertex(&j->sheet, n, uvw, x);
-    scene_initial_velocity(&j->scene, x, v);
-    for (int c = 0; c < 3; c++)
-        v[c] = fix >> c & 1 ? 0 : v[c];
-}
-
+/* Writes velocities at t = 0, none in components that are held [m/s]. */
 static void export_numbers_velocities(struct export_job *j, struct output *out)
 {
-    double v[3];
+    const struct export_held *h = &j->held;
+    double uvw[3], x[3], v[3];
 
     output_print(out, "vertex,x,y,z\n");
     for (int n = 0, held = 0; n < export_sheet_vertices(&j->sheet); n++) {
-        export_numbers_velocity(j, n, &held, v);
+        const bool is_held = held < h->count && h->vertex[held].vertex == n;
+        const unsigned fix = is_held ? h->vertex[held++].fix : 0;
+        export_sheet_vertex(&j->sheet, n, uvw, x);
+        scene_initial_velocity(&j->scene, x, v);
+        for (int c = 0; c < 3; c++)
+            v[c] = fix >> c & 1 ? 0 : v[c];
         output_print(out, "%d,%.17g,%.17g,%.17g\n", n, v[0], v[1], v[2]);
     }
 }
@@ -1073,7 +1044,8 @@ static void put_pattern_lines(const struct scene *s, struct output *out)
 
 static void put_sheet(const struct scene *s, struct output *out)
 {
-    double origin[3];
+    const double *zero = s->pattern ? s->pattern->corner : (const double[2]){0};
+    double origin[3]; /* where the pattern has its 0 */
 
     if (s->pattern)
         put_pattern_lines(s, out);
@@ -1087,11 +1059,9 @@ static void put_sheet(const struct scene *s, struct output *out)
     for (int k = 0; k < scene_sheets(s); k++) {
         const char *head = s->sheets < 2 ? "  " : k ? "  - " : "sheets:\n  - ";
         output_print(out, "%s", head);
-        for (int c = 0; c < 3; c++) /* where the pattern has its 0 */
+        for (int c = 0; c < 3; c++)
             origin[c] = s->pose[k].origin[c] -
-                        (s->pattern ? s->pattern->corner[0] * s->pose[k].axis_u[c] +
-                                          s->pattern->corner[1] * s->pose[k].axis_v[c]
-                                    : 0);
+                        (zero[0] * s->pose[k].axis_u[c] + zero[1] * s->pose[k].axis_v[c]);
         put_words(out, "origin: [#, #, #]\n", origin);
         put_words(out, s->sheets < 2 ? "  u: [#, #, #]\n" : "    u: [#, #, #]\n",
                   s->pose[k].axis_u);
@@ -1193,7 +1163,12 @@ static void put_vertices(const struct scene *s, const struct scene_support *supp
         output_print(out, last < 0 ? "%d" : ", %d", node + 1);
         last = node;
     }
-    output_print(out, "]}\n");
+    const bool whole = support->lo[2] <= 0 && support->hi[2] >= 1;
+    put_words(out,
+              whole                              ? "]}\n"
+              : support->lo[2] == support->hi[2] ? "], w: #}\n"
+                                                 : "], w: [#, #]}\n",
+              (double[]){support->lo[2], support->hi[2]});
 }
 
 static void put_supports(const struct scene *s, struct output *out)
@@ -1297,8 +1272,12 @@ static void put_title(const struct export_job *j, struct output *out)
         snprintf(number, sizeof number, "%d", c->sheets);
 
     output_print(out, "# %s for your simulator\n\n%s %s sheet%s %g m (u) by %g m (v), ",
-                 c->name, number, scene_shape_words[c->shape],
-                 c->sheets > 1 ? "s, each" : ",", c->length, c->width);
+                 c->name, number,
+                 is_sewn(&j->sheet) ? "garment's" : scene_shape_words[c->shape],
+                 c->sheets > 1 ? "s, each"
+                 : c->pattern  ? ", whose pattern lies in a box of"
+                               : ",",
+                 c->length, c->width);
     if (c->is_fabric)
         output_print(out, "a fabric of %g kg/m^2, h_eff = %g m", c->fabric.areal_density,
                      c->thickness);
@@ -1326,13 +1305,15 @@ static void put_title(const struct export_job *j, struct output *out)
             export_sheet_columns(&j->sheet), points[0], points[0] - 1, points[1] - 1,
             c->sheets);
     else if (j->sheet.mesh)
-        output_print(out, "\nVertices are those that your faces name, in your order.");
+        output_print(
+            out, c->pattern ? "\nVertices are numbered as in rest.obj."
+                            : "\nVertices are those that your faces name, in your order.");
     else
         output_print(out, "\nVertex j %d + i is at u = i/%d, v = j/%d.", points[0],
                      points[0] - 1, points[1] - 1);
     output_print(out,
-                 " Files count vertices from 0, "
-                 "OBJ from 1.\nTriangles are counter-clockwise seen from u x v%s.\n\n",
+                 " Files count vertices from 0, OBJ from 1.\nTriangles are "
+                 "counter-clockwise seen from u x v%s.\n\n",
                  j->sheet.mesh ? "" : "; the diagonals alternate");
 }
 
@@ -1379,9 +1360,7 @@ static void put_physics(const struct export_job *j, struct output *out)
 
     output_print(out, "## Physics of the truth\n\n");
     put_damping(c, j->undamped, j->known.closed && c->support_count, out);
-    output_print(out,
-                 "- From t = 0 at rest%s%s; large "
-                 "displacements; %s.\n",
+    output_print(out, "- From t = 0 at rest%s%s; large displacements; %s.\n",
                  is_sewn(&j->sheet) ? ", with the stress of where it starts"
                                     : " in the rest shape, without stress",
                  needs & SCENE_NEED_INITIAL_MOTION ? " but for velocities.csv [m/s]" : "",
@@ -1407,9 +1386,10 @@ static void put_physics(const struct export_job *j, struct output *out)
                      c->pressure);
     if (needs & SCENE_NEED_CONTACT)
         output_print(out,
-                     "- Obstacles%s: obstacles.csv; normals point outward; "
-                     "Coulomb friction. The sheet's faces, h/2 off its middle, touch.\n",
-                     needs & SCENE_NEED_MOVING_OBSTACLES ? "" : " stand still");
+                     "- Obstacles%s: obstacles.csv; normals point outward; Coulomb "
+                     "friction. The sheet's faces, %g m off its middle, touch.\n",
+                     needs & SCENE_NEED_MOVING_OBSTACLES ? "" : " stand still",
+                     (c->contact.thickness > 0 ? c->contact.thickness : c->thickness) / 2);
     if (needs & SCENE_NEED_CONTACT && !in_table(c))
         output_print(
             out, "  obstacles.csv has all there is to a `plane` or `sphere`; the rest of "
@@ -1447,16 +1427,12 @@ static void put_held(const struct export_job *j, struct output *out)
         output_print(
             out,
             "\nIts last %d rows, with `beside`, are vertices outside the sheet, one cell "
-            "off "
-            "the vertex beside.\nWhere bending is an angle between elements, a held row "
-            "alone "
-            "is a hinge: add these, held\nlikewise, and elements between them and the held "
-            "row, without mass; leave them out of your\nframes. The angle over the held "
-            "row "
-            "stands for half a cell of the sheet: its stiffness is another\n(Parameters). "
-            "A "
-            "simulator with rotations holds those of the held vertices instead and needs "
-            "none.",
+            "off the vertex beside.\nWhere bending is an angle between elements, a held "
+            "row alone is a hinge: add these, held\nlikewise, and elements between them "
+            "and the held row, without mass; leave them out of your\nframes. The angle "
+            "over the held row stands for half a cell of the sheet: its stiffness is "
+            "another\n(Parameters). A simulator with rotations holds those of the held "
+            "vertices instead and needs none.",
             h->outside);
     else
         output_print(out, " No row outside the sheet is needed.");
@@ -1480,7 +1456,6 @@ static void put_softening(const struct export_job *j, struct output *out)
                          B[n] / (B[n] + law.soft[n].second * law.soft[n].most));
 }
 
-/* Says what each kind of simulator takes of a fabric, and what is lost on the way. */
 /* Says where no rule for hinges is right in every direction. */
 static void tell_long_cells(const struct export_job *j, struct output *out)
 {
@@ -1491,6 +1466,7 @@ static void tell_long_cells(const struct export_job *j, struct output *out)
                      "unlike along warp and weft. Along u and v they are.\n");
 }
 
+/* Says what each kind of simulator takes of a fabric, and what is lost on the way. */
 static void put_fabric_parameters(const struct export_job *j, struct output *out)
 {
     const struct law_fabric *f = &j->scene.fabric;
@@ -1499,12 +1475,10 @@ static void put_fabric_parameters(const struct export_job *j, struct output *out
 
     output_print(
         out,
-        "## Parameters\n\n"
         "materials.csv. They follow from the fabric's moduli by rule; none is fitted.\n"
         "The warp runs at %g degrees from u towards v.\n\n"
         "- shells with matrices: Y11, Y22, Y12, G [N/m], energy of shear 2 G E12^2; B1, "
-        "B2, "
-        "B12, B66\n  [N m]. Nothing is lost%s;\n"
+        "B2, B12, B66\n  [N m]. Nothing is lost%s;\n"
         "- orthotropic solids and shells of one thickness (CalculiX: ENGINEERING "
         "CONSTANTS): E1, E2,\n  nu12, G12, rho, h, h the effective thickness. Lost: they "
         "bend with %.3g times B1, %.3g times B2\n  and %.3g times B66;\n",
@@ -1513,7 +1487,10 @@ static void put_fabric_parameters(const struct export_job *j, struct output *out
         Y[LAW_WEFT] * law.thickness * law.thickness / 12 / B[LAW_WEFT],
         Y[LAW_SHEAR] * law.thickness * law.thickness / 12 / B[LAW_SHEAR]);
     put_softening(j, out);
-    if (j->scene.shape == SCENE_FLAT && law_is_aligned(&law))
+    if (j->sheet.mesh)
+        output_print(out, "- springs and XPBD: none are told. Edges of a mesh run in all "
+                          "directions, a fabric's moduli do not;\n");
+    else if (j->scene.shape == SCENE_FLAT && law_is_aligned(&law))
         output_print(out,
                      "- springs and XPBD: `value` [N/m], `compliance` [m/N] along u, v "
                      "and diagonals. Lost: Y12, which is G\n  in a net of springs;\n");
@@ -1523,32 +1500,24 @@ static void put_fabric_parameters(const struct export_job *j, struct output *out
                      "this warp;\n");
     output_print(
         out,
-        "- angles between two triangles, k theta^2 / 2: k along u, v and diagonals. Lost: "
+        "- angles between two triangles, k theta^2 / 2: %s. Lost: "
         "what tells B12\n  from B66 in double curvature%s;\n"
         "- simulators with isotropic values only: E, nu, rho, h of the mean over all "
         "directions. Lost: the\n  weft's membrane is %.3g times, its bending %.3g times as "
         "stiff as the warp's, and shear is %.3g\n  times as stiff as this mean's. "
         "`clothbench study fabrics` measures what that costs.\n",
+        j->sheet.mesh ? "k of each edge in hinges.csv" : "k along u, v and diagonals",
         law_is_aligned(&law) ? "" : ", B13 and B23, which couple bending to twist",
         Y[LAW_WEFT] / Y[LAW_WARP], B[LAW_WEFT] / B[LAW_WARP],
         Y[LAW_SHEAR] * 2 * (1 + law.poisson) / (law.young * law.thickness));
-    tell_long_cells(j, out);
-    if (*j->misfit.text)
-        output_print(out, "\nSprings are no plane stress: %s.\n", j->misfit.text);
-    output_print(out, "\n");
 }
 
-static void put_parameters(const struct export_job *j, struct output *out)
+static void put_isotropic_parameters(const struct export_job *j, struct output *out)
 {
     const bool flat = j->scene.shape == SCENE_FLAT;
 
-    if (j->scene.is_fabric) {
-        put_fabric_parameters(j, out);
-        return;
-    }
     output_print(
-        out, "## Parameters\n\n"
-             "materials.csv. They follow from E, nu, rho and h by rule; none is fitted.\n\n"
+        out, "materials.csv. They follow from E, nu, rho and h by rule; none is fitted.\n\n"
              "- finite elements and shells: E, nu, rho, h as they are;\n"
              "- mass of a vertex: areal mass times its share of the area;\n");
     if (j->sheet.mesh)
@@ -1575,17 +1544,22 @@ static void put_parameters(const struct export_job *j, struct output *out)
     if (!j->sheet.mesh)
         output_print(
             out, "- bending by the angle between two triangles, k theta^2 / 2%s.\n",
-            flat ? ": k [N m] of edges along u, along\n  v and along diagonals "
-                   "(`hinge u`, `hinge v`, "
-                   "`hinge diagonal`). They are right for these\n  triangles, whose "
-                   "diagonals alternate, "
-                   "and not the usual D |e|^2 / (A1 + A2), with which this\n  net is "
-                   "up to a third too "
-                   "stiff or too soft. At a clamp, where the three vertices of a "
-                   "triangle are\n  held, k "
-                   "is that of `hinge u held`, `hinge v held`"
-                 : ": none are told, those known are for "
-                   "flat sheets");
+            flat ? ": k [N m] of edges along u, along\n  v and along diagonals (`hinge "
+                   "u`, `hinge v`, `hinge diagonal`). They are right for these\n  "
+                   "triangles, whose diagonals alternate, and not the usual D |e|^2 / (A1 "
+                   "+ A2), with which this\n  net is up to a third too stiff or too soft. "
+                   "At a clamp, where the three vertices of a triangle are\n  held, k is "
+                   "that of `hinge u held`, `hinge v held`"
+                 : ": none are told, those known are for flat sheets");
+}
+
+static void put_parameters(const struct export_job *j, struct output *out)
+{
+    output_print(out, "## Parameters\n\n");
+    if (j->scene.is_fabric)
+        put_fabric_parameters(j, out);
+    else
+        put_isotropic_parameters(j, out);
     tell_long_cells(j, out);
     if (*j->misfit.text)
         output_print(out, "\nSprings are no plane stress: %s.\n", j->misfit.text);
@@ -1619,13 +1593,13 @@ static void put_score(const struct export_job *j, struct output *out)
         output_print(out, "What it is: %s.\n", known->source);
     const bool outlined = j->scene.pattern;
     output_print(out,
-                 "Every point of a 100 x 100 grid over (u,v) is compared, yours %s:\n\n    "
-                 "clothbench "
-                 "score %s\n\nprints the rms distance over the %s at each of these times, "
-                 "the truth's "
-                 "error bar, and what\nyour net alone would cost.\n",
+                 "Every point of a 100 x 100 grid over (u,v)%s is compared, yours %s:\n\n"
+                 "    clothbench score scene.yaml FRAMES%s\n\nprints the rms distance over "
+                 "the %s at each of these times, the truth's error bar, and what\nyour net "
+                 "alone would cost.\n",
+                 outlined ? " that is on the sheet" : "",
                  outlined ? "linear in the triangles" : "bilinear between vertices",
-                 outlined ? "SCENE FRAMES --rest rest.obj" : "scene.yaml FRAMES",
+                 outlined ? " --rest rest.obj" : "",
                  outlined ? "square root of the area" : "length");
 }
 
@@ -1640,12 +1614,14 @@ static void write_readme(struct export_job *j, struct output *out)
 
 /* --- the command --- */
 
+typedef void write_one(struct export_job *j, struct output *out);
+
 /* The files in their order: README.md prints what materials.csv found. */
 static const struct {
     const char *name;
     const char *format; /* of --format that picks it; NULL: it is always written         */
     unsigned need;      /* of the scene, without which it is left out; 0: none           */
-    void (*write)(struct export_job *j, struct output *out);
+    write_one *write;
 } files[] = {
     {"rest.obj", "obj", 0, export_mesh_obj},
     {"rest.ply", "ply", 0, export_mesh_ply},
@@ -1663,17 +1639,12 @@ static const struct {
 };
 enum { FILES = sizeof files / sizeof *files };
 
-typedef void write_one(struct export_job *j, struct output *out);
-
 static enum status write_file(struct export_job *j, const char *name, write_one *write,
                               const char *folder, struct message *why)
 {
     struct output *out = NULL;
-    char path[4096];
 
-    if (snprintf(path, sizeof path, "%s/%s", folder, name) >= (int)sizeof path)
-        return status_fail(why, STATUS_FILE, "%.60s...: the path is too long", folder);
-    CALL(output_create(path, &out, why));
+    CALL(output_create(arena_print(&j->arena, "%s/%s", folder, name), &out, why));
     write(j, out);
     return output_close(&out, why);
 }
@@ -1699,14 +1670,13 @@ static enum status write_all(struct export_job *j, const char *folder, struct me
 }
 
 /* Has Python make scene.usda of the other files; without it these are all that there is. */
-static enum status write_usd(const char *folder, struct message *why)
+static enum status write_usd(struct export_job *j, const char *folder, struct message *why)
 {
     struct message said = {""};
-    char path[4096];
-    enum status st = STATUS_FILE;
+    const char *path = arena_print(&j->arena, "%s/scene.usda", folder);
+    const enum status st =
+        show_run((const char *const[]){"usd", folder, path, NULL}, &said);
 
-    if (snprintf(path, sizeof path, "%s/scene.usda", folder) < (int)sizeof path)
-        st = show_run((const char *const[]){"usd", folder, path, NULL}, &said);
     if (st != STATUS_LIBRARY)
         return st == STATUS_OK ? st : status_fail(why, st, "%s", said.text);
     fprintf(stderr, "export: no scene.usda: %s\n", said.text);
@@ -1714,14 +1684,11 @@ static enum status write_usd(const char *folder, struct message *why)
 }
 
 /* Leaves one format of the rest mesh, NULL all. */
-static void leave_format(const char *format, const char *folder)
+static void leave_format(struct export_job *j, const char *format, const char *folder)
 {
-    char path[4096];
-
     for (int n = 0; format && n < FILES; n++)
-        if (files[n].format && strcmp(format, files[n].format) &&
-            snprintf(path, sizeof path, "%s/%s", folder, files[n].name) < (int)sizeof path)
-            remove(path);
+        if (files[n].format && strcmp(format, files[n].format))
+            remove(arena_print(&j->arena, "%s/%s", folder, files[n].name));
 }
 
 static enum status read_scene(struct export_job *j, const struct command_line *line,
@@ -1778,11 +1745,10 @@ static enum status prepare(struct export_job *j, const struct command_line *line
     CALL(read_scene(j, line, why));
     CALL(read_fineness(j, line, &d, why));
     if (scene_needs(&j->scene) & SCENE_NEED_OWN_MATERIALS)
-        return status_fail(
-            why, STATUS_UNSUPPORTED,
-            "%s has sheets with materials of their own, but export writes one "
-            "material",
-            j->scene.name);
+        return status_fail(why, STATUS_UNSUPPORTED,
+                           "%s has sheets with materials of their own, but export writes "
+                           "one material",
+                           j->scene.name);
     j->sheet.scene = &j->scene;
     if (d.mesh && (scene_sheets(&j->scene) > 1 || j->scene.shape != SCENE_FLAT))
         return status_fail(why, STATUS_UNSUPPORTED, "--mesh: of one flat sheet only");
@@ -1807,8 +1773,8 @@ static enum status run(struct command_line *line, struct message *why)
     TRY(prepare(&j, line, why));
     TRY(folder_aside_open(out, &aside, why));
     TRY(write_all(&j, aside.temporary, why));
-    TRY(write_usd(aside.temporary, why));
-    leave_format(command_value(line, "--format"), aside.temporary);
+    TRY(write_usd(&j, aside.temporary, why));
+    leave_format(&j, command_value(line, "--format"), aside.temporary);
     TRY(folder_aside_commit(&aside, why));
     if (*j.held.doubt.text)
         fprintf(stderr, "export: %s\n", j.held.doubt.text);

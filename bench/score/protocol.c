@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
+#include <unistd.h>
 
 #include "bench/files/folder.h"
 #include "bench/files/output.h"
@@ -59,8 +59,9 @@ static const struct score_time *protocol_worst(const struct protocol_run *run)
 
 enum { PATH = 4096 };
 
-const char *const protocol_first[] = {"free_fall",  "hanging",   "rest_small",
-                                      "rest_large", "edge_drop", NULL};
+/* The scenes to begin with, in their order; NULL ends them. */
+static const char *const protocol_first[] = {"free_fall",  "hanging",   "rest_small",
+                                             "rest_large", "edge_drop", NULL};
 
 static const char *base_of(const char *path)
 {
@@ -85,11 +86,10 @@ static enum status read_engine(struct protocol *p, struct message *why)
     struct yaml_tree *tree SCOPED(yaml_tree_free_scope) = NULL;
     char path[PATH];
     char *text SCOPED(scope_free) = NULL;
-    struct stat about;
     size_t size;
 
     snprintf(path, sizeof path, "%s/engine.yaml", p->folder);
-    if (stat(path, &about))
+    if (access(path, F_OK))
         return STATUS_OK;
     CALL(named_file_read(&kind, path, &text, &size, why));
     CALL(yaml_tree_parse(path, false, text, size, &tree, why));
@@ -190,8 +190,6 @@ static enum status read_scene(struct arena *arena, const char *path,
 
     to->name = arena_print(arena, "%s", base_of(path));
     snprintf(own, sizeof own, "%s/scene.yaml", path);
-    struct stat about;
-    to->own = !stat(own, &about);
     CALL(frames_folder_read(path, &folder, why));
     frames_folder_keep(&folder, may_be_run);
     if (!folder.count)
@@ -199,13 +197,12 @@ static enum status read_scene(struct arena *arena, const char *path,
                            "%s: has no frames in it; a file a net, %s/21x21.csv, would be "
                            "right",
                            path, to->name);
-    CALL(score_truth_read(to->own ? own : to->name, &truth, why));
+    CALL(score_truth_read(access(own, F_OK) ? to->name : own, &truth, why));
     if (truth.scene.pattern)
-        return status_fail(
-            why, STATUS_INPUT,
-            "%s: frames of a sheet with an outline have no page; score SCENE "
-            "FRAMES would be right",
-            path);
+        return status_fail(why, STATUS_INPUT,
+                           "%s: frames of a sheet with an outline have no page; score "
+                           "SCENE FRAMES would be right",
+                           path);
     to->length = truth.scene.length;
     to->run = arena_take(arena, (size_t)folder.count, sizeof *to->run);
     for (int n = 0; n < folder.count; n++)
@@ -271,10 +268,9 @@ tell(struct protocol *p, enum protocol_subject subject, enum protocol_tone tone,
 
     p->verdict = arena_more(&p->arena, p->verdict, (size_t)p->verdicts, sizeof *p->verdict);
     struct protocol_verdict *v = &p->verdict[p->verdicts++];
-    v->subject = subject, v->tone = tone;
-    snprintf(v->word, sizeof v->word, "%s", word);
     va_start(args, format);
-    vsnprintf(v->text, sizeof v->text, format, args);
+    *v = (struct protocol_verdict){subject, tone, word,
+                                   arena_vprint(&p->arena, format, args)};
     va_end(args);
 }
 
@@ -287,16 +283,18 @@ static const struct score_finding *find(const struct protocol_run *run,
     return NULL;
 }
 
-/* Returns whether nothing is wrong with a run, or a fit explains its motion. */
+/* Findings, as bits: those with a subject of their own, and of a motion that is sound or
+ * that a fit explains. */
+enum {
+    HAS_SUBJECT = 1 << SCORE_FIRST_ORDER_STEP | 1 << SCORE_DAMPING | 1 << SCORE_BENDING |
+                  1 << SCORE_HINGE | 1 << SCORE_CLAMP | 1 << SCORE_FLOOR | 1 << SCORE_SOUND,
+    EXPLAINS = HAS_SUBJECT | 1 << SCORE_LAG | 1 << SCORE_GRAVITY
+};
+
 static bool is_explained(const struct protocol_run *run)
 {
-    static const enum score_kind fitted[] = {
-        SCORE_SOUND,   SCORE_FLOOR,   SCORE_FIRST_ORDER_STEP,
-        SCORE_LAG,     SCORE_GRAVITY, SCORE_DAMPING,
-        SCORE_BENDING, SCORE_HINGE,   SCORE_CLAMP};
-
-    for (size_t n = 0; n < sizeof fitted / sizeof *fitted; n++)
-        if (find(run, fitted[n]))
+    for (int n = 0; n < run->diagnosis.count; n++)
+        if (EXPLAINS >> run->diagnosis.finding[n].kind & 1)
             return true;
     return false;
 }
@@ -348,9 +346,7 @@ static void tell_flaws(struct protocol *p, const struct protocol_scene *scene)
 
     for (int n = 0; n < d->count; n++) {
         const enum score_kind kind = d->finding[n].kind;
-        if (kind != SCORE_FIRST_ORDER_STEP && kind != SCORE_DAMPING &&
-            kind != SCORE_BENDING && kind != SCORE_HINGE && kind != SCORE_CLAMP &&
-            kind != SCORE_FLOOR && kind != SCORE_SOUND)
+        if (!(HAS_SUBJECT >> kind & 1))
             tell(p, PROTOCOL_FLAW, PROTOCOL_BAD, score_diagnosis_name(kind), "%s: %s",
                  run->file, d->finding[n].text);
     }
@@ -702,29 +698,24 @@ static void judge(struct protocol *p)
 enum status protocol_read(const char *path, const struct score_look *look,
                           struct protocol *p, struct message *why)
 {
-    struct frames_folder folder = {0};
-    enum status st;
+    struct frames_folder folder SCOPED(frames_folder_clear) = {0};
 
     *p = (struct protocol){.folder = path};
-    st = frames_folder_read(path, &folder, why);
-    TRY(st == STATUS_FILE ? STATUS_INPUT : st);
+    const enum status st = frames_folder_read(path, &folder, why);
+    CALL(st == STATUS_FILE ? STATUS_INPUT : st);
     frames_folder_keep(&folder, folder_is);
     if (!folder.count)
-        TRY(status_fail(why, STATUS_INPUT,
-                        "%s: has no folders named like scenes; edge_drop/21x21.csv in it "
-                        "would be right",
-                        path));
-    TRY(read_engine(p, why));
+        return status_fail(why, STATUS_INPUT,
+                           "%s: has no folders named like scenes; edge_drop/21x21.csv in "
+                           "it would be right",
+                           path);
+    CALL(read_engine(p, why));
     p->scene = arena_take(&p->arena, (size_t)folder.count, sizeof *p->scene);
     for (int n = 0; n < folder.count; n++)
-        TRY(read_scene(&p->arena, folder.path[n], look, &p->scene[p->scenes++], why));
+        CALL(read_scene(&p->arena, folder.path[n], look, &p->scene[p->scenes++], why));
     qsort(p->scene, (size_t)p->scenes, sizeof *p->scene, compare_scenes);
     judge(p);
-out:
-    frames_folder_clear(&folder);
-    if (st != STATUS_OK)
-        protocol_clear(p);
-    return st;
+    return STATUS_OK;
 }
 
 void protocol_clear(struct protocol *p)
@@ -758,13 +749,9 @@ static struct dataset *verdicts_of(const struct protocol *p)
                  "known, with error bars. Errors are rms distances over the sheet, in per "
                  "cent of its length.",
                  files, files == 1 ? "" : "s", p->scenes, p->scenes == 1 ? "" : "s");
-    for (const struct protocol_verdict *v = p->verdict; v < p->verdict + p->verdicts; v++) {
-        dataset_row(t);
-        dataset_text(t, "%s", protocol_subject_name(v->subject));
-        dataset_text(t, "%s", v->word);
-        dataset_text(t, "%s", tone[v->tone]);
-        dataset_text(t, "%s", v->text);
-    }
+    for (const struct protocol_verdict *v = p->verdict; v < p->verdict + p->verdicts; v++)
+        dataset_line(t, "%s|%s|%s|%s", protocol_subject_name(v->subject), v->word,
+                     tone[v->tone], v->text);
     return t;
 }
 
@@ -780,10 +767,9 @@ static struct dataset *errors_of(const struct protocol *p)
         for (int m = 0; m < p->scene[k].runs; m++)
             for (int n = 0; n < p->scene[k].run[m].times; n++) {
                 const struct protocol_run *run = &p->scene[k].run[m];
-                dataset_row(t);
-                dataset_text(t, "%s", run->file);
-                dataset_add(t, "%d|%.3g|%.2g|%.2g|%.2g", run->vertices, run->row[n].time,
-                            run->row[n].error, run->row[n].bar, run->row[n].floor);
+                const struct score_time *row = &run->row[n];
+                dataset_line(t, "%s|%d|%.3g|%.2g|%.2g|%.2g", run->file, run->vertices,
+                             row->time, row->error, row->bar, row->floor);
             }
     return t;
 }
@@ -796,11 +782,8 @@ static struct dataset *said_of(const struct protocol *p)
     for (int k = 0; k < p->scenes; k++)
         for (int m = 0; m < p->scene[k].runs; m++) {
             const struct protocol_run *run = &p->scene[k].run[m];
-            for (int n = 0; n < run->said.count; n++) {
-                dataset_row(t);
-                dataset_text(t, "%s", run->file);
-                dataset_text(t, "%s", run->said.saying[n].text);
-            }
+            for (int n = 0; n < run->said.count; n++)
+                dataset_line(t, "%s|%s", run->file, run->said.saying[n].text);
         }
     return t;
 }
@@ -809,8 +792,9 @@ enum status protocol_tables_write(const char *path, const struct protocol *p,
                                   struct message *why)
 {
     static struct provenance made;
+    static struct dataset *(*const table[])(const struct protocol *p) = {
+        verdicts_of, errors_of, said_of};
     struct output *out SCOPED(output_discard_scope) = NULL;
-    enum status st = STATUS_OK;
 
     provenance_collect(&made);
     CALL(output_create_in(NULL, path, &out, why));
@@ -818,11 +802,7 @@ enum status protocol_tables_write(const char *path, const struct protocol *p,
     fprintf(file, "# clothbench score --protocol | commit %s | %s\n",
             provenance_value(&made, "commit"), provenance_value(&made, "date"));
     struct printer printer = {TABLE_CSV, file};
-    struct dataset *const table[] = {verdicts_of(p), errors_of(p), said_of(p)};
-    for (size_t n = 0; n < sizeof table / sizeof *table; n++) {
-        const enum status printed = printer_table(&printer, table[n], NULL, why);
-        st = st == STATUS_OK ? printed : st;
-    }
-    CALL(st);
+    for (size_t n = 0; n < sizeof table / sizeof *table; n++)
+        CALL(printer_table(&printer, table[n](p), NULL, why));
     return output_close(&out, why);
 }

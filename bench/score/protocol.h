@@ -40,8 +40,8 @@ enum protocol_tone { PROTOCOL_GOOD, PROTOCOL_BAD, PROTOCOL_NEUTRAL, PROTOCOL_UNK
 struct protocol_verdict {
     enum protocol_subject subject;
     enum protocol_tone tone;
-    char word[40];  /* "converges", ... */
-    char text[640]; /* a sentence or two                                                 */
+    const char *word; /* "converges", ...                                     static */
+    char *text;       /* a sentence or two                                           */
 };
 
 /* One file's score. */
@@ -61,7 +61,6 @@ struct protocol_run {
 
 struct protocol_scene {
     char *name;    /* of its folder                                                      */
-    bool own;      /* it is that of a scene.yaml in it                                   */
     double length; /* [m]                                                                */
     int runs;
     struct protocol_run *run; /* [runs] from coarse to fine, then by repeat              */
@@ -79,13 +78,10 @@ struct protocol {
 };
 
 /* Reads, scores and judges all files of a folder. STATUS_INPUT with a sentence: one of them
- * is wrong, or there are none. Free with protocol_clear. */
+ * is wrong, or there are none. Free with protocol_clear in any case. */
 enum status protocol_read(const char *folder, const struct score_look *look,
                           struct protocol *p, struct message *why);
 void protocol_clear(struct protocol *p); /* all-zero is allowed */
-
-/* The scenes to begin with, in their order; NULL ends them. */
-extern const char *const protocol_first[];
 
 /* Returns the name of a subject: "error", ... */
 const char *protocol_subject_name(enum protocol_subject subject);

@@ -6,18 +6,12 @@
 
 #include "bench/frames/frames_array.h"
 #include "bench/harness/settings.h"
-#include "bench/truth/truth.h"
 #include "models/metric/metric_rest.h"
 #include "models/pattern.h"
 #include "models/reader/named_file.h"
 #include "models/reader/scene_file.h"
 
 enum { TENTHS_MOST = 100 };
-
-int score_truth_few(int n)
-{
-    return n / SCORE_SIDE * SCORE_EVERY * GRID_U + n % SCORE_SIDE * SCORE_EVERY;
-}
 
 /* Replaces the first layer of a field by the mean of both. */
 static void flatten(double *xyz)
@@ -35,34 +29,32 @@ static enum status take_known(struct score_truth *t, struct message *why)
     return st == STATUS_FILE || st == STATUS_UNSUPPORTED ? STATUS_OK : st;
 }
 
-/* Evaluates an exact solution every tenth of a second; `word` is the user's name for it. */
-static enum status take_formula(const char *word, const char *path,
-                                const struct settings *settings, struct score_truth *t,
-                                struct message *why)
+/* Evaluates an exact solution every tenth of a second. */
+static enum status take_formula(const char *path, const struct settings *settings,
+                                struct score_truth *t, struct message *why)
 {
     const int all = (int)floor(10 * t->scene.end + 1e-9);
     const int times = all < 1 ? 1 : all < TENTHS_MOST ? all : TENTHS_MOST;
     double time[TENTHS_MOST];
     struct truth *truth = NULL;
-    enum status st;
 
     for (int n = 0; n < times; n++)
         time[n] = all < 1 ? t->scene.end : (n + 1) / 10.0;
-    st = truth_find(path, settings, times, time, NULL, &truth, NULL);
+    enum status st = truth_find(path, settings, times, time, NULL, &truth, NULL);
     if (st != STATUS_OK && st != STATUS_MEMORY) {
         st = truth_plan_check(&t->scene, why);
-        TRY(st == STATUS_UNSUPPORTED ? STATUS_INPUT : st);
-        st = status_fail(why, STATUS_INPUT,
-                         "nothing is known of the motion of %s; clothbench truth %s makes "
-                         "its truth by runs, which score then finds in results/truths",
-                         word, word);
+        CALL(st == STATUS_UNSUPPORTED ? STATUS_INPUT : st);
+        return status_fail(
+            why, STATUS_INPUT,
+            "nothing is known of the motion of %s; clothbench truth %s makes "
+            "its truth by runs, which score then finds in results/truths",
+            t->given, t->given);
     }
-    TRY(st);
+    CALL(st);
     truth_clear(&t->known);
     t->known = *truth;
     free(truth);
-out:
-    return st;
+    return STATUS_OK;
 }
 
 /* Chooses the times at which frames are judged: of a stored truth those at which tables
@@ -89,26 +81,17 @@ static const struct named_file_kind kind = {
     .in_source = LADDERS_IN_SOURCE,
 };
 
-/* Finds whether a scene has the same physics as the ladder's scene. */
-static enum status serves(const struct scene *scene, bool *does)
+/* Checks that a scene has the same physics as the ladder's scene. */
+static enum status check_physics(const struct scene *scene)
 {
-    struct settings settings = {0};
-    struct scene own = {0};
-    char *path = NULL, *text = NULL;
-    enum status st;
+    struct settings settings SCOPED(settings_clear) = {0};
+    struct scene own SCOPED(scene_clear) = {0};
+    char *path SCOPED(scope_free) = NULL, *text SCOPED(scope_free) = NULL;
 
-    *does = false;
-    TRY(scene_file_find(SCENE, &path, NULL));
-    TRY(truth_plan_scene(path, &settings, &own, NULL));
-    TRY(truth_physics(&own, &text));
-    *does = truth_physics_check(text, scene, NULL) == STATUS_OK;
-out:
-    free(path);
-    free(text);
-    scene_clear(&own);
-    settings_clear(&settings);
-    return st == STATUS_MEMORY ? st
-                               : STATUS_OK; /* without such a scene there is no ladder */
+    CALL(scene_file_find(SCENE, &path, NULL));
+    CALL(truth_plan_scene(path, &settings, &own, NULL));
+    CALL(truth_physics(&own, &text));
+    return truth_physics_check(text, scene, NULL);
 }
 
 /* Reads an array of so many rows into the arena. */
@@ -130,9 +113,8 @@ static enum status read_all(struct arena *arena, struct frames_array *file,
     CALL(frames_array_begin(file, "t", size, why));
     if (size[0] < 1 || size[0] > TIMES_MOST)
         return status_fail(why, STATUS_INPUT,
-                           "%s: has %llu times; tools/ladder makes a file "
-                           "of 1 to %d",
-                           path, size[0], TIMES_MOST);
+                           "%s: has %llu times; tools/ladder makes a file of 1 to %d", path,
+                           size[0], TIMES_MOST);
     const size_t times = (size_t)size[0];
     const size_t points = times * LADDER_POINTS;
     CALL(load(arena, file, "t", times, 1, &l->time, why));
@@ -145,45 +127,40 @@ static enum status read_all(struct arena *arena, struct frames_array *file,
     return STATUS_OK;
 }
 
-enum status score_ladder_read(struct arena *arena, const struct scene *scene,
-                              struct score_ladder *l, struct message *why)
+/* Reads the ladder of a scene that is moved as its truth is; `times` stays 0 where there is
+ * none, or none is installed. STATUS_INPUT with a sentence: the file is damaged. */
+static enum status read_ladder(struct arena *arena, const struct scene *scene,
+                               struct score_ladder *l, struct message *why)
 {
     struct frames_array *file = NULL;
-    char *path = NULL;
-    bool does;
-    enum status st;
+    char *path SCOPED(scope_free) = NULL;
+    enum status st = check_physics(scene);
 
-    memset(l, 0, sizeof *l);
-    TRY(serves(scene, &does));
-    if (does)
+    if (st == STATUS_OK)
         st = named_file_find(&kind, SCENE "_ladder", &path, NULL);
-    if (!does || st != STATUS_OK) { /* none is installed: nothing is fitted */
-        st = st == STATUS_MEMORY ? st : STATUS_OK;
-        goto out;
-    }
-    TRY(frames_array_open(path, &file, why));
-    TRY(read_all(arena, file, path, l, why));
-out:
-    free(path);
+    if (st != STATUS_OK)
+        return st == STATUS_MEMORY ? st : STATUS_OK;
+    st = frames_array_open(path, &file, why);
+    if (st == STATUS_OK)
+        st = read_all(arena, file, path, l, why);
     frames_array_close(file);
     return st == STATUS_UNSUPPORTED ? STATUS_INPUT : st;
 }
 
 enum status score_truth_read(const char *scene, struct score_truth *t, struct message *why)
 {
-    struct settings settings = {0};
-    char *path = NULL;
-    enum status st;
+    struct settings settings SCOPED(settings_clear) = {0};
+    char *path SCOPED(scope_free) = NULL;
 
     memset(t, 0, sizeof *t);
     t->given = arena_print(&t->arena, "%s", scene);
-    TRY(scene_file_find(scene, &path, why));
-    TRY(truth_plan_scene(path, &settings, &t->scene, why));
+    CALL(scene_file_find(scene, &path, why));
+    CALL(truth_plan_scene(path, &settings, &t->scene, why));
     t->undamped = settings.count > 0;
     t->length = t->scene.pattern ? sqrt(scene_area(&t->scene)) : t->scene.length;
-    TRY(take_known(t, why));
+    CALL(take_known(t, why));
     if (!t->known.claimed)
-        TRY(take_formula(scene, path, &settings, t, why));
+        CALL(take_formula(path, &settings, t, why));
     choose_times(t);
     for (int n = 0; n < t->known.claimed; n++)
         flatten(t->known.xyz[n]);
@@ -191,13 +168,7 @@ enum status score_truth_read(const char *scene, struct score_truth *t, struct me
     t->moves = t->known.claimed > 2 && (t->moves || t->known.closed);
     t->rest = arena_keep(&t->arena, metric_rest_field(&t->scene));
     flatten(t->rest);
-    TRY(score_ladder_read(&t->arena, &t->scene, &t->ladder, why));
-out:
-    settings_clear(&settings);
-    free(path);
-    if (st != STATUS_OK)
-        score_truth_clear(t);
-    return st;
+    return read_ladder(&t->arena, &t->scene, &t->ladder, why);
 }
 
 void score_truth_clear(struct score_truth *t)
@@ -206,16 +177,6 @@ void score_truth_clear(struct score_truth *t)
     truth_clear(&t->known);
     arena_clear(&t->arena);
     memset(t, 0, sizeof *t);
-}
-
-const double *score_ladder_rung(const struct score_ladder *l, int rung, int time)
-{
-    return l->rung + 3L * LADDER_POINTS * (rung * l->times + time);
-}
-
-const double *score_ladder_flaw(const struct score_ladder *l, int flaw, int time)
-{
-    return l->flaw + 3L * LADDER_POINTS * (flaw * l->times + time);
 }
 
 /* A frame stands for a time of the truth that is so far from it at most [s]: half of what
@@ -250,7 +211,9 @@ static void turn(const struct score_look *look, int vertices, const double *from
     }
 }
 
-int score_window(int count, const double *time, double t, double weight[4])
+/* Finds the four of the times 0, time[0], time[1], ... whose cubic is used at t, and their
+ * weights; returns the index of the first, -1: time 0. count >= 3. */
+static int window(int count, const double *time, double t, double weight[4])
 {
     double at[4];
     int first = -1;
@@ -323,7 +286,7 @@ void score_between(int count, const double *time, double t, const double *rest,
                    const double *fields, double *field)
 {
     double weight[4];
-    const int first = score_window(count, time, t, weight);
+    const int first = window(count, time, t, weight);
 
     memset(field, 0, 3 * LADDER_POINTS * sizeof *field);
     for (int a = first; a < first + 4; a++)
@@ -359,7 +322,7 @@ static void truth_at(const struct score_truth *t, double time, double *truth)
 {
     const struct truth *known = &t->known;
     double weight[4];
-    const int first = score_window(known->claimed, known->time, time, weight);
+    const int first = window(known->claimed, known->time, time, weight);
 
     memset(truth, 0, 3 * SCORE_POINTS * sizeof *truth);
     for (int a = 0; a < 4; a++) {
@@ -509,13 +472,12 @@ static enum status read_frames(struct score *s, struct frames *frames,
     const size_t numbers = 3 * (size_t)vertices;
     double *x[4], when[4]; /* the newest first */
     const double *xyz;
-    enum status st = STATUS_OK;
 
     for (int k = 0; k < 4; k++)
         x[k] = arena_take(&s->arena, numbers, sizeof *x[k]);
     for (;; s->frames++, s->last = when[0]) {
         double t, *const oldest = x[3];
-        TRY(frames_next(frames, &t, &xyz, why));
+        CALL(frames_next(frames, &t, &xyz, why));
         if (!xyz)
             break;
         memmove(x + 1, x, 3 * sizeof *x);
@@ -524,7 +486,7 @@ static enum status read_frames(struct score *s, struct frames *frames,
         turn(look, vertices, xyz, x[0]);
         if (!s->frames) {
             s->first = t;
-            TRY(make_net(s, frames, look, x[0], why));
+            CALL(make_net(s, frames, look, x[0], why));
         } else {
             s->interval = fmin(s->interval, t - s->last);
             s->repeats += !memcmp(x[1], x[0], numbers * sizeof *x[0]);
@@ -533,19 +495,18 @@ static enum status read_frames(struct score *s, struct frames *frames,
             take_own(s, (int)numbers, x, when);
         view_take(&s->grid, t, x[0]);
         view_take(&s->fine, t, x[0]);
-        st = score_contact_take(&s->contact, t, x[0]);
+        const enum status st = score_contact_take(&s->contact, t, x[0]);
         if (st == STATUS_NAN)
-            st = status_fail(why, STATUS_INPUT,
-                             "%s: frame %d: a position times --scale is no finite number",
-                             frames_name(frames), s->frames + 1);
-        TRY(st);
+            return status_fail(why, STATUS_INPUT,
+                               "%s: frame %d: a position times --scale is no finite number",
+                               frames_name(frames), s->frames + 1);
+        CALL(st);
     }
     if (s->frames > 1)
         score_contact_end(&s->contact, s->last, s->last - when[1], x[1], x[0]);
-    if (!s->frames)
-        st = status_fail(why, STATUS_INPUT, "%s: has no frames", frames_name(frames));
-out:
-    return st;
+    return s->frames
+               ? STATUS_OK
+               : status_fail(why, STATUS_INPUT, "%s: has no frames", frames_name(frames));
 }
 
 /* Returns how far the truth itself is off, over the length, between the vertices of a map.
@@ -653,8 +614,6 @@ enum status score_read(const struct score_truth *truth, int count, const char *c
                         paths[0], truth->given));
 out:
     frames_close(frames);
-    if (st != STATUS_OK)
-        score_clear(s);
     return st == STATUS_FILE ? STATUS_INPUT : st; /* a file that the user named */
 }
 

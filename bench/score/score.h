@@ -37,15 +37,6 @@ struct score_ladder {
     double *bar;   /* [LADDER_RUNGS][times] rms error bar [L]                         */
 };
 
-/* Reads the ladder of this scene, moved as its truth is, into the arena; `times` is 0 where
- * there is none. STATUS_INPUT with a sentence: the file is damaged. */
-enum status score_ladder_read(struct arena *arena, const struct scene *scene,
-                              struct score_ladder *ladder, struct message *why);
-
-/* Return fields [LADDER_POINTS][3], u fastest. */
-const double *score_ladder_rung(const struct score_ladder *l, int rung, int time);
-const double *score_ladder_flaw(const struct score_ladder *l, int flaw, int time);
-
 /* The reference of a score: the middle surface of a scene's truth at the times at which it
  * is known. */
 
@@ -53,10 +44,6 @@ enum { SCORE_POINTS = GRID_U * GRID_V };
 
 /* A frame is at a time to within this [s]: a sheet at 10 m/s moves by 1e-5 m in it. */
 #define SCORE_SAME_TIME 1e-6
-
-/* A few of the grid's points, every ninth each way, for trying many motions. */
-enum { SCORE_EVERY = 9, SCORE_SIDE = (GRID_U - 1) / SCORE_EVERY + 1 };
-enum { SCORE_FEW = SCORE_SIDE * SCORE_SIDE };
 
 struct score_truth {
     const char *given;  /* the scene's name or path                                     */
@@ -76,17 +63,10 @@ struct score_truth {
 
 /* Finds the truth of a scene by name or path, a closed form or a stored truth, and its
  * ladder; runs nothing. STATUS_INPUT: there is no such scene, or no truth of it is known,
- * or the ladder is damaged. Free with score_truth_clear. */
+ * or the ladder is damaged. Free with score_truth_clear in any case. */
 enum status score_truth_read(const char *scene, struct score_truth *truth,
                              struct message *why);
 void score_truth_clear(struct score_truth *truth); /* all-zero is allowed, and left */
-
-/* Finds the four of the times 0, time[0], time[1], ... whose cubic is used at t, and their
- * weights; returns the index of the first, -1: time 0. count >= 3. */
-int score_window(int count, const double *time, double t, double weight[4]);
-
-/* Returns the grid's index of the n-th of the few points. */
-int score_truth_few(int n);
 
 /* Says how frames are to be read. */
 struct score_look {
@@ -152,7 +132,8 @@ struct score {
 };
 
 /* Reads all frames of paths[count] against a truth, which is borrowed until the score is
- * cleared; times >= 1. STATUS_INPUT with a sentence. Free with score_clear. */
+ * cleared; times >= 1. STATUS_INPUT with a sentence. Free with score_clear in any
+ * case. */
 enum status score_read(const struct score_truth *truth, int count, const char *const *paths,
                        const struct score_look *look, struct score *score,
                        struct message *why);

@@ -12,7 +12,7 @@
 
 struct job {
     struct score_look look;
-    struct score_print sheet;
+    struct score_print *sheet;
 };
 
 static enum status prepare(struct job *j, const struct command_line *line,
@@ -20,11 +20,10 @@ static enum status prepare(struct job *j, const struct command_line *line,
 {
     const char *up = command_value(line, "--up");
 
-    j->look = (struct score_look){
-        .frames.rest = command_value(line, "--rest"), .up = 'z', .scale = 1};
     if (up && (strlen(up) != 1 || !strchr("xyz", *up)))
         return status_fail(why, STATUS_INPUT, "--up %s: x, y or z would be right", up);
-    j->look.up = up ? *up : 'z';
+    j->look = (struct score_look){
+        .frames.rest = command_value(line, "--rest"), .up = up ? *up : 'z', .scale = 1};
     CALL(command_number(line, "--dt", false, &j->look.frames.dt, why));
     return command_number(line, "--scale", false, &j->look.scale, why);
 }
@@ -40,7 +39,7 @@ static enum status score_one(struct job *j, const char *scene, int count,
     CALL(score_truth_read(scene, &truth, why));
     CALL(score_read(&truth, count, paths, &j->look, &s, why));
     score_diagnosis_make(&s, &d);
-    score_print_add(&j->sheet, &s, &d);
+    score_print_add(j->sheet, &s, &d);
     return STATUS_OK;
 }
 
@@ -72,33 +71,30 @@ static bool is_scene(const char *path)
 static enum status score_folder(struct job *j, const char *path, enum status *refused,
                                 struct message *why)
 {
-    struct frames_folder folder;
+    struct frames_folder folder SCOPED(frames_folder_clear) = {0};
     struct message said = {""};
-    enum status st;
 
-    TRY(frames_folder_read(path, &folder, why));
+    CALL(frames_folder_read(path, &folder, why));
     frames_folder_keep(&folder, is_scene);
     if (!folder.count)
-        TRY(status_fail(why, STATUS_INPUT,
-                        "%s: has no files or folders named like scenes (edge_drop.csv, "
-                        "flag/); for frames of one scene: score SCENE %s",
-                        path, path));
-    j->sheet.named = folder.count > 1;
+        return status_fail(why, STATUS_INPUT,
+                           "%s: has no files or folders named like scenes (edge_drop.csv, "
+                           "flag/); for frames of one scene: score SCENE %s",
+                           path, path);
+    j->sheet->named = folder.count > 1;
     for (int n = 0; n < folder.count; n++) {
         char name[128];
         name_of(folder.path[n], sizeof name, name);
-        st = score_one(j, name, 1, (const char *const *)&folder.path[n], &said);
+        const enum status st =
+            score_one(j, name, 1, (const char *const *)&folder.path[n], &said);
+        CALL(st == STATUS_INPUT ? STATUS_OK : st);
         if (st == STATUS_INPUT) {
-            score_print_refusal(&j->sheet, name, &said);
+            score_print_refusal(j->sheet, name, &said);
             *why = said;
             *refused = st;
-            st = STATUS_OK;
         }
-        TRY(st);
     }
-out:
-    frames_folder_clear(&folder);
-    return st;
+    return STATUS_OK;
 }
 
 /* --- the protocol of a simulator --- */
@@ -132,65 +128,60 @@ static enum status run_protocol(const struct command_line *line, const struct jo
 {
     const char *folder = command_value(line, "--protocol"),
                *out = command_value(line, "--out");
-    struct protocol p = {.scenes = 0};
+    struct protocol p SCOPED(protocol_clear) = {.scenes = 0};
     char page[4096], tables[4096];
     struct message lack = {""};
-    enum status st = STATUS_OK;
 
     if (line->word_count || command_given(line, "--rest"))
-        TRY(status_fail(why, STATUS_INPUT,
-                        "score --protocol %s: has no SCENE, FRAMES or --rest beside it; "
-                        "frames are %s/SCENE/21x21.csv",
-                        folder, folder));
+        return status_fail(why, STATUS_INPUT,
+                           "score --protocol %s: has no SCENE, FRAMES or --rest beside it; "
+                           "frames are %s/SCENE/21x21.csv",
+                           folder, folder);
     if (snprintf(page, sizeof page, "%s/protocol.html", folder) >= (int)sizeof page)
-        TRY(status_fail(why, STATUS_INPUT, "%.60s...: the path is too long", folder));
-    snprintf(tables, sizeof tables, "%.*scsv", (int)strlen(page) - 4, page);
+        return status_fail(why, STATUS_INPUT, "%.60s...: the path is too long", folder);
+    snprintf(tables, sizeof tables, "%s/protocol.csv", folder);
     out = out ? out : page;
-    TRY(protocol_read(folder, &j->look, &p, why));
-    TRY(protocol_tables_write(tables, &p, why));
-    TRY(print_protocol(&p, j->sheet.printer, why));
+    CALL(protocol_read(folder, &j->look, &p, why));
+    CALL(protocol_tables_write(tables, &p, why));
+    CALL(print_protocol(&p, j->sheet->printer, why));
     fflush(stdout);
-    st = show_run((const char *const[]){"protocol", tables, out, NULL}, &lack);
+    const enum status st =
+        show_run((const char *const[]){"protocol", tables, out, NULL}, &lack);
     if (st == STATUS_LIBRARY) { /* what it printed is there */
         fprintf(stderr, "%s: %s\n", tables, lack.text);
-        st = STATUS_OK;
-    } else {
-        TRY(st ? status_fail(why, st, "%s", lack.text) : st);
-        fprintf(stderr, "%s: one page\n", out);
+        return STATUS_OK;
     }
-out:
-    protocol_clear(&p);
-    return st;
+    CALL(st ? status_fail(why, st, "%s", lack.text) : st);
+    fprintf(stderr, "%s: one page\n", out);
+    return STATUS_OK;
 }
 
 static enum status run(struct command_line *line, struct message *why)
 {
-    struct job j = {.sheet.printer = &line->printer};
-    enum status st, refused = STATUS_OK;
+    struct score_print sheet SCOPED(score_print_clear) = {.printer = &line->printer};
+    struct job j = {.sheet = &sheet};
+    enum status refused = STATUS_OK;
 
-    TRY(prepare(&j, line, why));
+    CALL(prepare(&j, line, why));
     if (command_given(line, "--protocol"))
         return run_protocol(line, &j, why);
     if (!line->word_count || command_given(line, "--out"))
-        TRY(status_fail(why, STATUS_INPUT,
-                        line->word_count ? "score: --out is for the page of --protocol"
-                                         : "score: no scene; score SCENE FRAMES, or score "
-                                           "--protocol DIR, would be right"));
-    if (line->word_count > 1) {
-        TRY(score_one(&j, line->words[0], line->word_count - 1, line->words + 1, why));
-    } else {
-        if (!folder_is(line->words[0]))
-            TRY(status_fail(why, STATUS_INPUT,
-                            "score: %s is no folder of several scenes' frames; score SCENE "
-                            "FRAMES would be right",
-                            line->words[0]));
-        TRY(score_folder(&j, line->words[0], &refused, why));
-    }
-    TRY(score_print_end(&j.sheet, why));
-    st = refused;
-out:
-    score_print_clear(&j.sheet);
-    return st;
+        return status_fail(why, STATUS_INPUT,
+                           line->word_count
+                               ? "score: --out is for the page of --protocol"
+                               : "score: no scene; score SCENE FRAMES, or score --protocol "
+                                 "DIR, would be right");
+    if (line->word_count > 1)
+        CALL(score_one(&j, line->words[0], line->word_count - 1, line->words + 1, why));
+    else if (folder_is(line->words[0]))
+        CALL(score_folder(&j, line->words[0], &refused, why));
+    else
+        return status_fail(why, STATUS_INPUT,
+                           "score: %s is no folder of several scenes' frames; score SCENE "
+                           "FRAMES would be right",
+                           line->words[0]);
+    CALL(score_print_end(&sheet, why));
+    return refused;
 }
 
 static const struct command_option options[] = {

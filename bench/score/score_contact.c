@@ -2,7 +2,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 #include "models/contact/contact_law.h"
 #include "models/bodies/body_shape.h"
@@ -116,13 +115,13 @@ void score_contact_end(struct score_contact *c, double time, double seconds,
 {
     const struct intersection *s = &c->work;
     const double length = c->scene->length;
-    double way[3], distance;
+    double distance;
 
     for (int n = 0; n < c->net->vertices; n++) {
         if (c->beside && c->beside[n])
             continue;
-        vector_between(before + 3L * n, xyz + 3L * n, way);
-        if (!(vector_length(way) <= SCORE_CONTACT_STILL * length * seconds))
+        if (!(vector_distance(before + 3L * n, xyz + 3L * n) <=
+              SCORE_CONTACT_STILL * length * seconds))
             continue;
         const int obstacle = nearest_body(c->scene, time, xyz + 3L * n, &distance);
         keep_least(c, SCORE_CONTACT_REST_BODY, time, distance, n, obstacle);

@@ -3,10 +3,8 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include "bench/score/score.h"
 #include "models/vector.h"
 
 /* --- the fit ----------------------------------------------------------------------------
@@ -87,14 +85,18 @@ struct sums {
     double column[COLUMNS][3 * LADDER_POINTS]; /* of the time that is added              */
 };
 
-/* Adds a time, of so many points, whose uncertainty is `noise` [m]. */
-static void add_time(struct sums *s, int points, double weight, double noise)
+/* Adds a time at which the truth has moved from rest, with an uncertainty of `noise` [m].
+ */
+static void add_time(struct sums *s, const double *truth, const double *rest, double length,
+                     double noise)
 {
-    for (int n = 0; n < 3 * points; n++)
+    const double weight = 1 / (score_rms(LADDER_POINTS, truth, rest) + SMALL * length);
+
+    for (int n = 0; n < 3 * LADDER_POINTS; n++)
         for (int a = 0; a < COLUMNS; a++)
             for (int b = 0; b < COLUMNS; b++)
                 s->gram[a][b] += weight * weight * s->column[a][n] * s->column[b][n];
-    s->noise += points * weight * weight * noise * noise;
+    s->noise += LADDER_POINTS * weight * weight * noise * noise;
 }
 
 /* --- on the ladder --- */
@@ -118,10 +120,11 @@ static void add_ladder_time(const struct score *s, int frame, const double *rest
     static const int flaws[LADDER_FLAWS] = {DAMPING, GRAVITY, STRETCH, HINGE};
     static const double none[3 * LADDER_POINTS];
     const struct score_ladder *l = &s->truth->ladder;
+    const long motion = 3L * LADDER_POINTS * l->times; /* numbers of one */
     const double
         size[LADDER_FLAWS] = {l->size[LADDER_DAMPING], l->size[LADDER_GRAVITY] - 1, 1, 1},
         t = s->fine.when[frame], *got = score_view_field(&s->fine, frame),
-        *fields = score_ladder_rung(l, LADDER_BASE, 0), length = s->truth->length,
+        *fields = l->rung + LADDER_BASE * motion, length = s->truth->length,
         bar = l->bar[LADDER_BASE * l->times + (int)fmin(t / l->time[0], l->times - 1)];
     double truth[3 * LADDER_POINTS], base[3 * LADDER_POINTS], before[3 * LADDER_POINTS];
 
@@ -130,18 +133,16 @@ static void add_ladder_time(const struct score *s, int frame, const double *rest
     fill_effect(s, fields, rest, t - MOMENT, none, 1, before);
     fill_effect(s, fields, rest, t + MOMENT, before, 2 * MOMENT, sums->column[LEAD]);
     for (int f = 0; f < LADDER_FLAWS; f++)
-        fill_effect(s, score_ladder_flaw(l, f, 0), rest, t, base, size[f],
+        fill_effect(s, l->flaw + f * motion, rest, t, base, size[f],
                     sums->column[flaws[f]]);
     for (int r = 0; r < LADDER_RUNGS; r++)
-        fill_effect(s, score_ladder_rung(l, r, 0), rest, t, base, 1,
-                    sums->column[RUNG + r]);
+        fill_effect(s, l->rung + r * motion, rest, t, base, 1, sums->column[RUNG + r]);
     for (int n = 0; n < 3 * LADDER_POINTS; n++) {
         const int edge = n / (3 * LADDER_U) * 3 * LADDER_U + n % 3;
         sums->column[Y][n] = got[n] - shift[n % 3] - base[n];
         sums->column[SCALE][n] = base[n] - base[edge];
     }
-    add_time(sums, LADDER_POINTS,
-             1 / (score_rms(LADDER_POINTS, truth, rest) + SMALL * length),
+    add_time(sums, truth, rest, length,
              (bar + ROUNDING) * length + score_rms(LADDER_POINTS, base, truth));
 }
 
@@ -192,9 +193,7 @@ static void add_fall(const struct score *s, const double shift[3], struct sums *
             sums->column[SCALE][n] =
                 rest[n] - .5 * (rest[n % 3] + rest[3 * (LADDER_POINTS - 1) + n % 3]);
         }
-        add_time(sums, LADDER_POINTS,
-                 1 / (score_rms(LADDER_POINTS, truth, rest) + SMALL * length),
-                 ROUNDING * length);
+        add_time(sums, truth, rest, length, ROUNDING * length);
     }
 }
 
@@ -414,6 +413,15 @@ enum { PERMUTATIONS = 6, SIGNS = 8, ORDERS = 8 };
 static const int permutation[PERMUTATIONS][3] = {{0, 1, 2}, {1, 0, 2}, {0, 2, 1},
                                                  {2, 1, 0}, {1, 2, 0}, {2, 0, 1}};
 
+/* A few of the grid's points, every ninth each way, for trying many motions. */
+enum { EVERY = 9, SIDE = LAST / EVERY + 1, FEW = SIDE * SIDE };
+
+/* Returns the grid's index of the n-th of the few points. */
+static int few(int n)
+{
+    return n / SIDE * EVERY * GRID_U + n % SIDE * EVERY;
+}
+
 static int moved(int n, int order)
 {
     int i = n % GRID_U, j = n / GRID_U;
@@ -434,8 +442,8 @@ static double squared(const struct score *s, const struct turned *t, double leas
     double sum = 0;
 
     for (int n = 0; n < s->times && sum <= least; n++)
-        for (int k = 0; k < SCORE_FEW; k++) {
-            const int p = score_truth_few(k);
+        for (int k = 0; k < FEW; k++) {
+            const int p = few(k);
             const double *x = s->row[n].got + 3 * moved(p, t->order),
                          *truth = s->row[n].truth + 3 * p;
             for (int c = 0; c < 3; c++) {
@@ -474,19 +482,19 @@ static struct turned candidate(int n)
 static double nearest(const struct score_time *row, double length)
 {
     double sum = 0;
-    int few = 0;
+    int count = 0;
 
-    for (int k = 0; k < SCORE_FEW; k++) {
-        const double *a = row->got + 3 * score_truth_few(k);
+    for (int k = 0; k < FEW; k++) {
+        const double *a = row->got + 3 * few(k);
         double least = INFINITY;
         if (isnan(a[0]))
             continue;
-        few++;
+        count++;
         for (int p = 0; p < SCORE_POINTS; p++)
             least = fmin(least, vector_distance(a, row->truth + 3 * p));
         sum += least * least;
     }
-    return sqrt(sum / few) / length;
+    return sqrt(sum / count) / length;
 }
 
 /* Returns whether an error is so much smaller than that of the frames as they are that
@@ -505,8 +513,8 @@ static struct turned best_turn(const struct score *s)
     struct turned as_is = candidate(0), best = as_is;
     double least = squared(s, &as_is, INFINITY);
 
-    for (int k = 0; k < SCORE_FEW; k++)
-        points += s->times * !isnan(s->truth->rest[3 * score_truth_few(k)]);
+    for (int k = 0; k < FEW; k++)
+        points += s->times * !isnan(s->truth->rest[3 * few(k)]);
     as_is.error = as_is.as_is = sqrt(least / points) / length;
     if (as_is.error < WORTH_IT)
         return as_is;
@@ -925,10 +933,10 @@ static struct held_off find_support(const struct score *s)
 
 /* --- sentences --- */
 
-static const char *const names[SCORE_KINDS] = {SCORE_KIND_LIST(LIST_WORD)};
-
 const char *score_diagnosis_name(enum score_kind kind)
 {
+    static const char *const names[SCORE_KINDS] = {SCORE_KIND_LIST(LIST_WORD)};
+
     return names[kind];
 }
 
@@ -979,20 +987,6 @@ static bool say_still(const struct score *s, struct evidence *e)
     return true;
 }
 
-static void axes_text(const struct turned *t, char text[32])
-{
-    char *at = text;
-
-    for (int c = 0; c < 3; c++) {
-        if (c)
-            *at++ = ',', *at++ = ' ';
-        if (t->sign[c] < 0)
-            *at++ = '-';
-        *at++ = "xyz"[t->axis[c]];
-    }
-    *at = '\0';
-}
-
 /* Reports two vertices in each other's place, or some elsewhere. */
 static bool say_strays(const struct score *s, struct evidence *e)
 {
@@ -1041,9 +1035,10 @@ static bool say_turned(const struct score *s, struct evidence *e)
     if (!axes_fit && say_turn(s, e))
         return true;
     const double now = 100 * t.as_is, then = 100 * t.error;
-    char axes[32];
+    char axes[32] = "";
 
-    axes_text(&t, axes);
+    for (int c = 0; c < 3; c++)
+        TEXT_JOIN(axes, ", ", "%s%c", t.sign[c] < 0 ? "-" : "", "xyz"[t.axis[c]]);
     if (t.scale != 1)
         say(e->d, SCORE_UNITS, t.scale,
             "Positions are in another unit: they fit to %.2g %% in place of %.2g %% with "
@@ -1200,8 +1195,7 @@ static bool say_times(const struct score *s, struct evidence *e)
         say(d, SCORE_TIME, pace->speed,
             "Runs %.2f times as %s as the truth: at t frames show what happens at %.4g t, "
             "and fit to %.2g %% in place of %.2g %%; do frames stand twice%s, are some "
-            "left "
-            "out, or is the time from one to the next another%s?",
+            "left out, or is the time from one to the next another%s?",
             slow ? 1 / pace->speed : pace->speed, slow ? "slow" : "fast", pace->speed,
             100 * pace->error, 100 * pace->as_is, repeats, gravity);
         return true;
@@ -1287,12 +1281,11 @@ static bool measure(const struct score *s, struct evidence *e)
 static bool is_sound(const struct score *s)
 {
     const double most = sound_most(s);
-    bool sound = true;
 
     for (const struct score_time *row = s->row; row < s->row + s->times; row++)
-        sound =
-            sound && row->error <= most + TIMES_FLOOR * (row->bar + fmax(row->floor, 0));
-    return sound;
+        if (!(row->error <= most + TIMES_FLOOR * (row->bar + fmax(row->floor, 0))))
+            return false;
+    return true;
 }
 
 /* Reports the fitted flaws. Of a lead that stands alone, and is no first-order step's, the

@@ -69,20 +69,16 @@ void score_net_sample(int sheets, int nu, int nv, const double *field, const dou
 static double place_on(const struct scene *s, const struct scene_pose *pose,
                        const double xyz[3], double uv[2])
 {
-    double d[3], along[3] = {0}, normal[3];
+    double d[3], normal[3];
 
     vector_cross(pose->axis_u, pose->axis_v, normal);
-    for (int c = 0; c < 3; c++) {
-        d[c] = xyz[c] - pose->origin[c];
-        along[0] += d[c] * pose->axis_u[c];
-        along[1] += d[c] * pose->axis_v[c];
-        along[2] += d[c] * normal[c];
-    }
-    uv[0] = along[0] / s->length;
-    uv[1] = along[1] / s->width;
+    vector_between(pose->origin, xyz, d);
+    uv[0] = vector_dot(d, pose->axis_u) / s->length;
+    uv[1] = vector_dot(d, pose->axis_v) / s->width;
+    const double above = vector_dot(d, normal);
     const double over_u = fmax(0, fmax(-uv[0], uv[0] - 1)) * s->length,
                  over_v = fmax(0, fmax(-uv[1], uv[1] - 1)) * s->width;
-    return sqrt(along[2] * along[2] + over_u * over_u + over_v * over_v);
+    return sqrt(above * above + over_u * over_u + over_v * over_v);
 }
 
 /* Does so on the nearest sheet; uv are the scene's. */
@@ -259,18 +255,18 @@ struct point {
     int vertex;
 };
 
-static int compare_u(const void *a, const void *b)
+/* Compares what begins with a number by it: points by u, faces by their place. */
+static int compare_first(const void *a, const void *b)
 {
-    const struct point *left = a, *right = b;
+    const double left = *(const double *)a, right = *(const double *)b;
 
-    return (left->uv[0] > right->uv[0]) - (left->uv[0] < right->uv[0]);
+    return (left > right) - (left < right);
 }
 
 static int compare_v(const void *a, const void *b)
 {
-    const struct point *left = a, *right = b;
-
-    return (left->uv[1] > right->uv[1]) - (left->uv[1] < right->uv[1]);
+    return compare_first(&((const struct point *)a)->uv[1],
+                         &((const struct point *)b)->uv[1]);
 }
 
 /* Sorts points by u (d = 0) or v; returns how many distinct values they have. */
@@ -279,7 +275,7 @@ static int count_lines(struct point *p, int count, int d)
     double line = -INFINITY;
     int lines = 0;
 
-    qsort(p, (size_t)count, sizeof *p, d ? compare_v : compare_u);
+    qsort(p, (size_t)count, sizeof *p, d ? compare_v : compare_first);
     for (int n = 0; n < count; n++)
         if (p[n].uv[d] - line > SAME_LINE) {
             line = p[n].uv[d];
@@ -300,7 +296,7 @@ static bool sort_rows(struct point *p, int columns, int rows, int count)
         for (int i = 0; i < columns; i++)
             if (row[i].uv[1] - v > SAME_LINE)
                 return false;
-        qsort(row, (size_t)columns, sizeof *row, compare_u);
+        qsort(row, (size_t)columns, sizeof *row, compare_first);
         for (int i = 0; i < columns; i++)
             if (fabs(row[i].uv[0] - p[i].uv[0]) > SAME_LINE)
                 return false;
@@ -429,7 +425,7 @@ static enum status map_triangles(const struct score_net *net,
                                  struct message *why)
 {
     const int points = map->nu * map->nv;
-    struct arena own = {0};
+    struct arena own SCOPED(arena_clear) = {0};
     double *inside = arena_take(&own, (size_t)points, sizeof *inside);
     double at[2];
     int bare = -1;
@@ -456,7 +452,6 @@ static enum status map_triangles(const struct score_net *net,
         for (int k = 0; !on && k < 4; k++)
             map->weight[n][k] = NAN;
     }
-    arena_clear(&own);
     if (bare < 0)
         return STATUS_OK;
     return status_fail(why, STATUS_INPUT,
@@ -564,7 +559,6 @@ enum status score_net_map(struct arena *arena, struct score_net *net,
 {
     const size_t points = (size_t)nu * (size_t)nv;
     struct point *p = points_of(arena, net);
-    enum status st = STATUS_OK;
 
     *map = (struct score_map){nu, nv, .sheets = scene->sheets,
                               .place = arena_take(arena, points, sizeof *map->place),
@@ -579,12 +573,12 @@ enum status score_net_map(struct arena *arena, struct score_net *net,
     } else if (frames->triangles)
         CALL(map_triangles(net, frames, scene, name, map, why));
     else
-        st = status_fail(why, STATUS_INPUT,
-                         "%s: %d vertices are on %d lines u and %d lines v; one at each "
-                         "crossing, or faces (OBJ, PLY, --rest), would be right",
-                         name, net->vertices, columns, rows);
+        return status_fail(why, STATUS_INPUT,
+                           "%s: %d vertices are on %d lines u and %d lines v; one at each "
+                           "crossing, or faces (OBJ, PLY, --rest), would be right",
+                           name, net->vertices, columns, rows);
     list_used(arena, net, map);
-    return st;
+    return STATUS_OK;
 }
 
 /* Lists the cells' triangles of a net in rows and columns; returns how many, 0: it has
@@ -616,13 +610,6 @@ struct face {
     int corner[3];
 };
 
-static int compare_places(const void *a, const void *b)
-{
-    const struct face *left = a, *right = b;
-
-    return (left->place > right->place) - (left->place < right->place);
-}
-
 /* Copies faces in the order of their places. */
 static void sort_faces(struct face *face, const struct score_net *net,
                        const struct frames_net *frames, int (*corner)[3])
@@ -639,7 +626,7 @@ static void sort_faces(struct face *face, const struct score_net *net,
         }
         face[n].place = 2 * floor(strips * v) + u;
     }
-    qsort(face, (size_t)count, sizeof *face, compare_places);
+    qsort(face, (size_t)count, sizeof *face, compare_first);
     for (int n = 0; n < count; n++)
         memcpy(corner[n], face[n].corner, sizeof corner[n]);
 }

@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "bench/data/json.h"
-
 #include "bench/score/score_stiffness.h"
 
 /* Returns the table, which the first scene begins and others go on with below a line. */
@@ -29,33 +28,31 @@ static struct dataset *begin_rows(struct score_print *p)
 }
 
 /* Writes which frames were compared with the truth at which times. */
-static void range_text(const struct score *s, size_t size, char *text)
+static void range_text(const struct score *s, struct message *text)
 {
     const struct score_view *grid = &s->grid;
     int moved = 0;
 
     for (int n = 0; n < s->times; n++)
         moved += s->row[n].moved;
-    int used = snprintf(text, size,
-                        "%d frames of %d vertices from %g to %g s; truth at %d times from "
-                        "%g to %g s; judged at the %d where both exist",
-                        s->frames, s->net.vertices, s->first, s->last, grid->times,
-                        grid->time[0], grid->time[grid->times - 1], s->times);
+    message_add(text,
+                "%d frames of %d vertices from %g to %g s; truth at %d times from %g to %g "
+                "s; judged at the %d where both exist",
+                s->frames, s->net.vertices, s->first, s->last, grid->times, grid->time[0],
+                grid->time[grid->times - 1], s->times);
     if (moved)
-        used += snprintf(text + used, size - (size_t)used,
-                         ", at %d of them by the nearest frame, compared at its own time",
-                         moved);
+        message_add(text, ", at %d of them by the nearest frame, compared at its own time",
+                    moved);
     if (s->truth->scene.pattern)
-        used +=
-            snprintf(text + used, size - (size_t)used,
-                     "; L is the square root of the sheet's area, %.4g m; no diagnosis of "
-                     "rows for columns, of stray vertices or of a free fall, as the sheet "
-                     "has an outline",
-                     s->truth->length);
-    snprintf(text + used, size - (size_t)used, "%s%s",
-             s->net.by_position ? "; vertices were matched by their rest positions" : "",
-             s->truth->undamped ? "; the scene moves undamped here, as its truth does"
-                                : "");
+        message_add(text,
+                    "; L is the square root of the sheet's area, %.4g m; no diagnosis of "
+                    "rows for columns, of stray vertices or of a free fall, as the sheet "
+                    "has an outline",
+                    s->truth->length);
+    message_add(text, "%s%s",
+                s->net.by_position ? "; vertices were matched by their rest positions" : "",
+                s->truth->undamped ? "; the scene moves undamped here, as its truth does"
+                                   : "");
 }
 
 /* Returns the next saying, to be filled in. */
@@ -146,10 +143,10 @@ static void add_notes(const struct score_print *p, const struct score *s,
     dataset_note(p->table, "%s%sThe truth: %s.", name, colon, s->truth->known.source);
 }
 
-/* Prints a member of a JSON object: its key and a text. */
-static void print_text(FILE *file, const char *key, const char *text)
+/* Prints a member of a JSON object after what stands before it: its key and a text. */
+static void print_text(FILE *file, const char *before, const char *key, const char *text)
 {
-    fprintf(file, "\"%s\": ", key);
+    fprintf(file, "%s\"%s\": ", before, key);
     json_string(text, file);
 }
 
@@ -168,7 +165,7 @@ static void print_said(const struct score_print_said *said, FILE *file)
             fprintf(file, "%s{\"kind\": \"%s\", ", separator, w->kind);
             for (int k = 0; k < SCORE_PRINT_NUMBERS && w->number[k].key; k++)
                 fprintf(file, "\"%s\": %.17g, ", w->number[k].key, w->number[k].value);
-            print_text(file, "text", w->text);
+            print_text(file, "", "text", w->text);
             fputc('}', file);
             separator = ", ";
         }
@@ -181,13 +178,11 @@ static void print_json(const struct score *s, const struct score_diagnosis *d,
     const char *scene = s->truth->scene.name;
     struct score_print_said said;
 
-    fputc('{', file);
-    print_text(file, "scene", scene);
+    print_text(file, "{", "scene", scene);
     fputs(", \"rows\": [", file);
     for (int n = 0; n < s->times; n++) {
         const struct score_time *row = &s->row[n];
-        fputs(n ? ", {" : "{", file);
-        print_text(file, "scene", scene);
+        print_text(file, n ? ", {" : "{", "scene", scene);
         fprintf(file, ", \"time\": %.17g, \"error\": %.17g, \"bar\": %.17g, \"floor\": ",
                 row->time, row->error, row->bar);
         if (isnan(row->floor))
@@ -197,28 +192,26 @@ static void print_json(const struct score *s, const struct score_diagnosis *d,
     }
     score_print_say(s, d, &said);
     print_said(&said, file);
-    fputs("], ", file);
-    print_text(file, "frames", range);
-    fputs(", ", file);
-    print_text(file, "truth", s->truth->known.source);
+    print_text(file, "], ", "frames", range);
+    print_text(file, ", ", "truth", s->truth->known.source);
     fputs("}\n", file);
 }
 
 void score_print_add(struct score_print *p, const struct score *s,
                      const struct score_diagnosis *d)
 {
-    char range[640]; /* with all that range_text may add */
+    struct message range = {""};
 
-    range_text(s, sizeof range, range);
+    range_text(s, &range);
     if (p->printer->format == TABLE_JSON) {
-        print_json(s, d, range, printer_json(p->printer));
+        print_json(s, d, range.text, printer_json(p->printer));
         return;
     }
     struct dataset *t = begin_rows(p);
     for (int n = 0; n < s->times; n++)
         dataset_line(t, "%s|%.3g|%.2g|%.2g|%.2g", s->truth->scene.name, s->row[n].time,
                      s->row[n].error, s->row[n].bar, s->row[n].floor);
-    add_notes(p, s, d, range);
+    add_notes(p, s, d, range.text);
 }
 
 void score_print_refusal(struct score_print *p, const char *scene,
@@ -226,10 +219,8 @@ void score_print_refusal(struct score_print *p, const char *scene,
 {
     if (p->printer->format == TABLE_JSON) {
         FILE *file = printer_json(p->printer);
-        fputc('{', file);
-        print_text(file, "scene", scene);
-        fputs(", \"rows\": [], \"diagnosis\": [], ", file);
-        print_text(file, "refused", refused->text);
+        print_text(file, "{", "scene", scene);
+        print_text(file, ", \"rows\": [], \"diagnosis\": [], ", "refused", refused->text);
         fputs("}\n", file);
         return;
     }

@@ -14,7 +14,7 @@ struct score_strays {
 };
 
 /* Finds the strays of a first frame xyz[vertices][3] [m], which should be the sheet at
- * rest, rest[GRID_V][GRID_U][3] [m]. STATUS_MEMORY. */
+ * rest, rest[GRID_V][GRID_U][3] [m]. */
 void score_start_strays(const struct scene *scene, const struct score_net *net,
                         const double *rest, const double *xyz, struct score_strays *strays);
 

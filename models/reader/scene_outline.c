@@ -27,8 +27,9 @@ const struct schema_key scene_outline_keys[] = {
      SCHEMA_SPECIAL, .read = scene_outline_later, .want = "3 to 10000 points [x, y]"},
     {"holes", "closed lines in the outline [m]", SCHEMA_SPECIAL, .read = scene_outline_later,
      .want = "a list of lines of points [x, y]"},
-    {"mesh", "in place of an outline: OBJ file, sought from the scene's folder, whose x "
-     "and y are the flat pattern [m]", SCHEMA_TEXT, .offset = offsetof(struct scene, pattern_file)},
+    {"mesh", "in place of an outline: OBJ file, sought from the scene's folder, whose vt, "
+     "or without them x and y, are the flat pattern [m]", SCHEMA_TEXT,
+     .offset = offsetof(struct scene, pattern_file)},
     {"seams", "of a mesh: each two runs of numbers of its `v`, from 1, that are sewn "
      "together one by one", SCHEMA_SPECIAL, .read = scene_outline_later,
      .want = "a list of seams [[1, 2, 3], [7, 8, 9]]"},

@@ -930,15 +930,19 @@ static const struct schema_key TURN[] = {
     {"turn", "turn in time, before the displacement", SCHEMA_SECTION, IN(type, motion), \
      .keys = TURN, .read = check_turn}
 
-static const struct schema_key AT[] = {
-    {"sheet", "the sheet whose u it is, from 1", SCHEMA_COUNT, .low = 1,
-     .high = SCENE_MAX_SHEETS, IN(scene_support, sheet)},
-    {"u", "along the length", SCHEMA_SPECIAL, PARAMETER, .read = read_interval,
-     .want = "a number or [low, high] within 0 and 1"},
-    {"v", "along the width", SCHEMA_SPECIAL, PARAMETER, .read = read_interval,
-     .want = "a number or [low, high] within 0 and 1"},
-    {"w", "through the thickness", SCHEMA_SPECIAL, PARAMETER, .read = read_interval,
-     .want = "a number or [low, high] within 0 and 1"},
+/* The keys of a region. */
+#define REGION \
+    {"sheet", "the sheet whose u it is, from 1", SCHEMA_COUNT, .low = 1, \
+     .high = SCENE_MAX_SHEETS, IN(scene_support, sheet)}, \
+    {"u", "along the length", SCHEMA_SPECIAL, PARAMETER, .read = read_interval, \
+     .want = "a number or [low, high] within 0 and 1"}, \
+    {"v", "along the width", SCHEMA_SPECIAL, PARAMETER, .read = read_interval, \
+     .want = "a number or [low, high] within 0 and 1"}, \
+    {"w", "through the thickness", SCHEMA_SPECIAL, PARAMETER, .read = read_interval, \
+     .want = "a number or [low, high] within 0 and 1"}
+
+static const struct schema_key LOADED[] = {REGION, {NULL}}, AT[] = {
+    REGION,
     {"vertices", "in place of u and v: numbers of `v` of the sheet's mesh, from 1, and what is "
      "between them", SCHEMA_SPECIAL, .read = scene_outline_later, .want = "a list of numbers"},
     {"group", "in place of u and v: a group (`g`) of the sheet's mesh", SCHEMA_SPECIAL,
@@ -957,7 +961,7 @@ static const struct schema_key SUPPORT[] = {
     {NULL}};
 
 static const struct schema_key LOAD[] = {
-    {"at", "where", SCHEMA_SECTION, .required = true, .keys = AT, .read = check_at},
+    {"at", "where", SCHEMA_SECTION, .required = true, .keys = LOADED, .read = check_at},
     {"force", "total force, spread evenly [N]", SCHEMA_VECTOR, .required = true, .low = -1e15,
      .high = 1e15, .offset = offsetof(struct placed, force)},
     {NULL}};

@@ -26,13 +26,14 @@ def run(*words):
         raise ValueError(done.stderr.strip() or "%s failed" % " ".join(command))
     return done.stdout
 
-def export(scene, n, m, folder=None, settings=None):
-    """Exports a scene on n x m points and returns it as read; into a new folder, if one is named.
-    settings are {"material.young": 5e4, ...}."""
+def export(scene, n=None, m=None, folder=None, settings=None):
+    """Exports a scene on n x m points, or on the mesh that it has, and returns it as read; into a new
+    folder, if one is named. settings are {"material.young": 5e4, ...}."""
     with tempfile.TemporaryDirectory() as aside:
         out = os.path.join(aside, "scene") if folder is None else folder
         changes = [w for key, value in (settings or {}).items() for w in ("--set", f"{key}={value}")]
-        run("export", scene, "--points", f"{n},{m}", "--out", out, *changes)
+        points = [] if n is None else ["--points", f"{n},{m}"]
+        run("export", scene, *points, "--out", out, *changes)
         return Exported(out)
 
 def score(*words):

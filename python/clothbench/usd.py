@@ -89,7 +89,13 @@ def array(words):
                    for n in range(0, len(words), 8))
 
 def clamps(scene):
-    """Triangles of the cells between vertices outside, of which two stand beside neighbours."""
+    """Triangles with vertices outside: of a mesh those of its hinges there, of a grid those of the
+    cells between two that stand beside neighbours."""
+    if len(scene.hinges):
+        seen = {(t[k - 1], t[k]) for t in scene.triangles.tolist() for k in range(3)}
+        return numpy.array([(b, a, out) if (a, b) in seen else (a, b, out)
+                            for a, b, _, out, _ in scene.hinges.tolist() if out >= len(scene.uv)],
+                           dtype=int).reshape(-1, 3)
     step = {}  # (vertex, axis): the next one of the sheet along that axis
     for a, b in numpy.concatenate([scene.triangles[:, [j, k]] for j in range(3) for k in range(3) if j != k]):
         along = scene.uv[b] - scene.uv[a]

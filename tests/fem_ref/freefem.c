@@ -2,6 +2,7 @@
  * cantilever` and `transient`.) */
 #include "fem_ref/freefem.h"
 #include "tests/scratch.h"
+#include "tests/text.h"
 
 static const char rests[] = REFERENCE_DIR "/freefem_static_h10mm.csv",
                   moves[] = REFERENCE_DIR "/freefem_transient_h1mm.csv";
@@ -17,12 +18,6 @@ static char *whole(const char *path)
     text[fread(text, 1, sizeof text - 1, file)] = 0;
     fclose(file);
     return text;
-}
-
-static void put(const char *path, const char *text)
-{
-    FILE *file = fopen(path, "wb");
-    REQUIRE(file && fputs(text, file) >= 0 && !fclose(file));
 }
 
 /* The static field with its n-th data row (1-based) replaced. */
@@ -46,8 +41,7 @@ static void check_bad(const char *word)
     field.times = -1;
     CHECK(freefem_read(bad, &field, &why) == STATUS_INPUT);
     CHECK(field.times == -1); /* untouched */
-    if (!CHECK(strstr(why.text, word) && strstr(why.text, bad)))
-        printf("  said: %s\n", why.text);
+    CHECK_SAY(strstr(why.text, word) && strstr(why.text, bad), "said: %s", why.text);
 }
 
 static void check_fields(void)
@@ -73,13 +67,13 @@ static void check_fields(void)
         put_row(want[n].row, want[n].text);
         check_bad(want[n].word);
     }
-    put(bad, "");
+    text_write(bad, "");
     check_bad("no rows");
-    put(bad, "u,v,dx,dy\n0,0,0,0\n");
+    text_write(bad, "u,v,dx,dy\n0,0,0,0\n");
     check_bad("no column dz");
     char *text = whole(moves);
     memcpy(strstr(text, "\n0.2000"), "\n0.3", 4); /* the first row of 0.2 s */
-    put(bad, text);
+    text_write(bad, text);
     check_bad("row 145: another time");
 }
 

@@ -136,8 +136,7 @@ static void refused(int p, int count, const double *U, const char *sentence)
     struct message why = {""};
 
     CHECK(bspline_init(&b, p, count, U, &why) == STATUS_INPUT);
-    if (!CHECK(!strcmp(why.text, sentence)))
-        printf("    said: %s\n", why.text);
+    CHECK_SAY(!strcmp(why.text, sentence), "said: %s", why.text);
     CHECK(!memcmp(&b, &untouched, sizeof b));
     CHECK(bspline_init(&b, p, count, U, NULL) == STATUS_INPUT);
 }

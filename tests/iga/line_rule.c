@@ -91,12 +91,9 @@ static void check_rule(int p, int spans, int net, bool derivative)
                         nearest, fabs(r / LINE_RULE_MOST + rule.x[r] + last - rule.spans));
             apart = fmax(apart, net == EVEN ? nearest : 0);
         }
-    bool good = CHECK(points == s.n);
-    good &= CHECK(least > 0);
-    good &= CHECK_NEAR(worst, 0, EXACT);
-    good &= CHECK_NEAR(apart, 0, 1e3 * DBL_EPSILON);
-    if (!good)
-        printf("  degree %d, %d spans, %s, %s: least weight %g, integrals off by %.1e\n", p,
+    SAY_UNLESS(CHECK(points == s.n) && CHECK(least > 0) && CHECK_NEAR(worst, 0, EXACT) &&
+                   CHECK_NEAR(apart, 0, 1e3 * DBL_EPSILON),
+               "degree %d, %d spans, %s, %s: least weight %g, integrals off by %.1e", p,
                spans, net_name[net], derivative ? "derivatives" : "values", least, worst);
     line_rule_clear(&rule);
     bspline_clear(&b);

@@ -127,9 +127,8 @@ static void check_line(const struct line *l)
         check_exact(&b, &rule);
     good &= CHECK(unseen(&b, &rule, false) == l->values);
     good &= CHECK(unseen(&b, &rule, true) == l->slopes);
-    if (!good)
-        printf("  degree %d, %d functions, knots %d: %d points, unseen %d, %d\n", b.p, b.n,
-               l->knots, points, unseen(&b, &rule, false), unseen(&b, &rule, true));
+    SAY_UNLESS(good, "degree %d, %d functions, knots %d: %d points, unseen %d, %d", b.p,
+               b.n, l->knots, points, unseen(&b, &rule, false), unseen(&b, &rule, true));
     line_rule_clear(&rule);
     bspline_clear(&b);
 }
@@ -147,13 +146,11 @@ static void check_seen(int degree, int spans, int knots)
     REQUIRE(line_rule_bending(&bending, &b) == STATUS_OK);
     REQUIRE(line_rule_greville(&values, &b, false) == STATUS_OK);
     REQUIRE(line_rule_greville(&slopes, &b, true) == STATUS_OK);
-    bool good = CHECK(unseen(&b, &bending, false) == 0);
-    good &= CHECK(unseen(&b, &values, false) == 0);
-    good &= CHECK(unseen(&b, &slopes, true) == 1);
-    if (!good)
-        printf("  degree %d on %d spans, knots %d: unseen %d, %d, %d\n", degree, spans,
-               knots, unseen(&b, &bending, false), unseen(&b, &values, false),
-               unseen(&b, &slopes, true));
+    SAY_UNLESS(
+        CHECK(unseen(&b, &bending, false) == 0) && CHECK(unseen(&b, &values, false) == 0) &&
+            CHECK(unseen(&b, &slopes, true) == 1),
+        "degree %d on %d spans, knots %d: unseen %d, %d, %d", degree, spans, knots,
+        unseen(&b, &bending, false), unseen(&b, &values, false), unseen(&b, &slopes, true));
     line_rule_clear(&bending);
     line_rule_clear(&values);
     line_rule_clear(&slopes);

@@ -61,11 +61,10 @@ static void check_decay(enum parameters parameters, struct scene_damping damping
 static double largest_elongation(enum parameters parameters, double limit)
 {
     struct springs s = {.d = net_of(10, 10)};
-    struct message why = {{0}};
     double most = 0;
 
     REQUIRE(scene_file_read(SOURCE_DIR "/models/scenes/corners_drop.yaml", 0, NULL,
-                            &s.scene, &s.d, &why) == STATUS_OK);
+                            &s.scene, &s.d, NULL) == STATUS_OK);
     s.d.parameters = parameters;
     OWN(spring_own, &s.d)->strain_limit = limit;
     springs_start(&s);

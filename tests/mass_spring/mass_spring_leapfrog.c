@@ -77,8 +77,7 @@ static void check_exchanged(int n, int m)
                          *b = s[1].m.net.x + 3 * (j * n + i);
             off = fmax(off, fabs(a[0] - b[1]) + fabs(a[1] - b[0]) + fabs(a[2] - b[2]));
         }
-    if (!CHECK(off < rounding))
-        printf("%d x %d: %g\n", n, m, off);
+    CHECK_SAY(off < rounding, "%d x %d: %g", n, m, off);
     CHECK(fabs(s[0].m.net.x[3 * (n * m - 1) + 2]) > 0.01);
     for (int k = 0; k < 2; k++)
         springs_clear(&s[k]);
@@ -222,8 +221,7 @@ static void check_slope(const char *model, const char *membrane, int n, int m)
         off = fmax(off, fabs(force - slope));
         most = fmax(most, fabs(slope));
     }
-    if (!CHECK(off < SLOPE * most))
-        printf("%s, %d x %d: %g of %g\n", model, n, m, off, most);
+    CHECK_SAY(off < SLOPE * most, "%s, %d x %d: %g of %g", model, n, m, off, most);
     run_close(&run);
 }
 

@@ -118,9 +118,10 @@ static void check_misfit(void)
         CHECK_RELATIVE(net.c33, sheet.c33, sum_rounding);
         CHECK_RELATIVE(net.c12, sheet.c33, sum_rounding);
         for (int t = 0; t < STRAIN_COUNT; t++)
-            if (!CHECK_RELATIVE(membrane_energy(&scene, n, m, STRAINS[t].e),
-                                plane_stress_energy(&net, STRAINS[t].e), sum_rounding))
-                printf("%s\n", STRAINS[t].name);
+            SAY_UNLESS(CHECK_RELATIVE(membrane_energy(&scene, n, m, STRAINS[t].e),
+                                      plane_stress_energy(&net, STRAINS[t].e),
+                                      sum_rounding),
+                       "%s", STRAINS[t].name);
         scene_clear(&scene);
     }
 }
@@ -184,10 +185,9 @@ static void check_bending(void)
         for (int level = 1; level < 3; level++) {
             const double least_rate = 1.8; /* 2 and terms of second order */
             double rate = error[level - 1][k] / error[level][k];
-            if (!CHECK(rate > least_rate &&
-                       fabs(error[level][k]) < 2. / (8 << level) * 1.2))
-                printf("curvature %d, level %d: error %g, rate %g\n", k, level,
-                       error[level][k], rate);
+            CHECK_SAY(rate > least_rate && fabs(error[level][k]) < 2. / (8 << level) * 1.2,
+                      "curvature %d, level %d: error %g, rate %g", k, level,
+                      error[level][k], rate);
         }
     scene_clear(&scene);
 }

@@ -3,7 +3,10 @@
 
 #include "models/bodies/body_shape.h"
 #include "models/reader/mesh_file.h"
+#include "models/vector.h"
+#include "tests/noise.h"
 #include "tests/scratch.h"
+#include "tests/text.h"
 
 /* A few roundings of numbers near 1. */
 static const double rounding = 4e-15;
@@ -38,10 +41,10 @@ static struct obstacle_mesh *make(void)
     struct obstacle_mesh *mesh = NULL;
     struct message why = {""};
 
-    if (!CHECK(body_mesh_make(given.vertices, (const double(*)[3])given.vertex,
-                              given.triangles, (const int(*)[3])given.triangle, &mesh,
-                              &why) == STATUS_OK))
-        printf("  %s\n", why.text);
+    CHECK_SAY(body_mesh_make(given.vertices, (const double(*)[3])given.vertex,
+                             given.triangles, (const int(*)[3])given.triangle, &mesh,
+                             &why) == STATUS_OK,
+              "%s", why.text);
     return mesh;
 }
 
@@ -81,28 +84,12 @@ static void give_tip(void)
         add_triangle(ROW + 1, n + 1, n);
 }
 
-static double noise(int n)
-{
-    const double x = sin(12.9898 * n + 1) * 43758.5453;
-
-    return 2 * (x - floor(x)) - 1;
-}
-
-static void off(const double a[3], const double b[3], double d[3])
-{
-    for (int i = 0; i < 3; i++)
-        d[i] = b[i] - a[i];
-}
-
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 static double triple(const double a[3], const double b[3], const double c[3])
 {
-    return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-           a[2] * (b[0] * c[1] - b[1] * c[0]);
+    double cross[3];
+
+    vector_cross(b, c, cross);
+    return vector_dot(a, cross);
 }
 
 /* How often the mesh as given goes round x: by solid angles (Van Oosterom & Strackee 1983).
@@ -114,12 +101,12 @@ static double winding(const double x[3])
     for (int t = 0; t < given.triangles; t++) {
         double d[3][3], r[3];
         for (int k = 0; k < 3; k++) {
-            off(x, given.vertex[given.triangle[t][k]], d[k]);
-            r[k] = sqrt(dot(d[k], d[k]));
+            vector_between(x, given.vertex[given.triangle[t][k]], d[k]);
+            r[k] = vector_length(d[k]);
         }
         sum += 2 * atan2(triple(d[0], d[1], d[2]),
-                         r[0] * r[1] * r[2] + dot(d[0], d[1]) * r[2] +
-                             dot(d[1], d[2]) * r[0] + dot(d[2], d[0]) * r[1]);
+                         r[0] * r[1] * r[2] + vector_dot(d[0], d[1]) * r[2] +
+                             vector_dot(d[1], d[2]) * r[0] + vector_dot(d[2], d[0]) * r[1]);
     }
     return sum / (4 * PI);
 }
@@ -143,9 +130,9 @@ static double brute(const double x[3])
                 for (int i = 0; i < 3; i++)
                     y[i] = (1 - p - q) * given.vertex[c[0]][i] + p * given.vertex[c[1]][i] +
                            q * given.vertex[c[2]][i];
-                off(x, y, d);
-                if (dot(d, d) < best)
-                    best = dot(d, d), at[0] = p, at[1] = q;
+                vector_between(x, y, d);
+                if (vector_dot(d, d) < best)
+                    best = vector_dot(d, d), at[0] = p, at[1] = q;
             }
         }
         least = fmin(least, best);
@@ -164,7 +151,7 @@ static double check_point(const struct obstacle_mesh *mesh, const double x[3], b
 
     CHECK(d < 0 ? winding(x) > 0.5 : winding(x) < 0.5);
     CHECK_NEAR(fabs(d), brute(x), halvings);
-    CHECK_NEAR(dot(normal, normal), 1, rounding);
+    CHECK_NEAR(vector_dot(normal, normal), 1, rounding);
     for (int i = 0; i < 3; i++) {
         foot[i] = x[i] - d * normal[i];
         ahead[i] = x[i] + 1e-5 * normal[i], behind[i] = x[i] - 1e-5 * normal[i];
@@ -196,8 +183,8 @@ static void check_spikes(void)
             double x[3];
             const double *v = given.vertex[shape ? given.vertices - 1 : n % given.vertices];
             for (int i = 0; i < 3; i++)
-                x[i] = n % 2 ? (shape ? 0.2 : 1.2) * noise(3 * n + i)
-                             : v[i] + (n % 4 ? 1e-3 : 1e-9) * noise(3 * n + i);
+                x[i] = n % 2 ? (shape ? 0.2 : 1.2) * noise_at(3 * n + i)
+                             : v[i] + (n % 4 ? 1e-3 : 1e-9) * noise_at(3 * n + i);
             inside += check_point(mesh, x, n % 2) < 0; /* ridges are rare */
         }
         CHECK(inside > 10 && inside < 350);
@@ -224,9 +211,9 @@ static void check_ball(void)
         for (int n = 0; n < 2000; n++) {
             double x[3];
             for (int i = 0; i < 3; i++)
-                x[i] = 1.5 * noise(3 * n + i);
+                x[i] = 1.5 * noise_at(3 * n + i);
             const double d = body_mesh_distance(mesh, x, INFINITY, NULL);
-            const double out = (flip ? -1 : 1) * d - (sqrt(dot(x, x)) - 1);
+            const double out = (flip ? -1 : 1) * d - (vector_length(x) - 1);
             CHECK(out > -rounding && out < 2 * depth);
             const double near = body_mesh_distance(mesh, x, 0.1, NULL);
             CHECK(d < 0.1 ? near == d : near >= 0.1 && near <= d + rounding);
@@ -296,17 +283,14 @@ static void check_files(void)
     struct message why;
 
     for (size_t k = 0; k < sizeof files / sizeof *files; k++) {
-        FILE *file = fopen(path, "w");
-        REQUIRE(file);
-        fputs(files[k].text, file);
-        fclose(file);
+        text_write(path, files[k].text);
         why.text[0] = '\0';
         const enum status st = mesh_file_read(path, (double[3]){1, 2, 3}, 2, &mesh, &why);
         const char *want = files[k].sentence;
-        if (!CHECK(want ? st == STATUS_INPUT && !mesh && strstr(why.text, want) &&
-                              !strncmp(why.text, path, strlen(path))
-                        : st == STATUS_OK && mesh))
-            printf("  file %zu: status %d, '%s'\n", k, st, why.text);
+        CHECK_SAY(want ? st == STATUS_INPUT && !mesh && strstr(why.text, want) &&
+                             !strncmp(why.text, path, strlen(path))
+                       : st == STATUS_OK && mesh,
+                  "file %zu: status %d, '%s'", k, st, why.text);
         if (mesh) /* scaled, then moved; the face's corner is where it was 1 0 0 */
             CHECK_NEAR(body_mesh_distance(mesh, (double[3]){3.5, 2, 3}, 9, NULL), 0.5,
                        rounding);

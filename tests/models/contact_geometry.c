@@ -2,10 +2,8 @@
 #include "models/contact/contact_rest.h"
 #include "models/bodies/body_shape.h"
 
-#include <math.h>
-#include <string.h>
-
 #include "tests/check.h"
+#include "tests/noise.h"
 
 /* A few roundings of numbers near 1. */
 static const double rounding = 1e-15;
@@ -54,18 +52,10 @@ static void turn_direction(const double x[3], double y[3])
     y[0] = x[2], y[1] = x[0], y[2] = x[1];
 }
 
-/* A number from -1 to 1 that n alone determines. */
-static double noise(int n)
-{
-    const double x = sin(12.9898 * n + 1) * 43758.5453;
-
-    return 2 * (x - floor(x)) - 1;
-}
-
 static void near_body(int n, double x[3])
 {
     for (int i = 0; i < 3; i++)
-        x[i] = (double[3]){0.5, 0, -0.5}[i] + noise(3 * n + i);
+        x[i] = (double[3]){0.5, 0, -0.5}[i] + noise_at(3 * n + i);
 }
 
 /* The normal is the distance's gradient, of length one, the nearest point is on the

@@ -3,8 +3,6 @@
  * that this does not; ten times at most. */
 #include "models/contact/contact_hold.h"
 
-#include <math.h>
-
 #include "tests/check.h"
 
 enum { TOUCHES = 2, BODY = 0, ITSELF = -1, SELF_WAITS = 5, BODY_WAITS = 16, BOUNDS = 10 };

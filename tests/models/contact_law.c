@@ -2,8 +2,6 @@
  * header states, against impacts that are integrated. */
 #include "models/contact/contact_law.h"
 
-#include <math.h>
-
 #include "tests/check.h"
 
 static const double rounding = 1e-14;

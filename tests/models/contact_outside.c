@@ -2,9 +2,6 @@
  * them and what their rates keep; by hand-made surfaces of columns of two nodes. */
 #include "models/contact/contact_outside.h"
 
-#include <math.h>
-#include <string.h>
-
 #include "models/bodies/body_shape.h"
 #include "models/vector.h"
 #include "tests/check.h"

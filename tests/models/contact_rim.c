@@ -2,8 +2,6 @@
  * the energy's gradient, momentum, and the share beside the face's. */
 #include "models/contact/contact.h"
 
-#include <stdlib.h>
-
 #include "models/vector.h"
 #include "tests/check.h"
 #include "tests/mesh_surface_fixture.h"

@@ -3,13 +3,13 @@
 #include "models/contact/contact_search.h"
 
 #include <omp.h>
-#include <stdint.h>
 
 #include "models/contact/contact_law.h"
 #include "models/metric/intersection.h"
 #include "models/vector.h"
 #include "tests/check.h"
 #include "tests/mesh_surface_fixture.h"
+#include "tests/noise.h"
 
 /* Sums of a few products of numbers near 1. */
 static const double rounding = 1e-14;
@@ -19,21 +19,22 @@ static const double turn = 6.283185307179586;
 
 enum { SIDE_MAX = 512, POINTS_MAX = 4096 };
 static double place[POINTS_MAX][3], change[POINTS_MAX][3];
-static uint64_t state = 20261127;
 
-/* [-1, 1); xorshift64* */
 static double random_about_0(void)
 {
-    state ^= state >> 12, state ^= state << 25, state ^= state >> 27;
-    return (double)(state * 2685821657736338717u >> 11) * 0x1p-52 - 1;
+    return 2 * noise_unit() - 1;
 }
+
+/* What a test looks at. */
+static struct contact_surface surface;
+static struct contact_search search;
 
 /* The shapes of a unit square; contact starts at the distance `start`. */
 static const double start = 0.02, radius = 0.05, inner = 0.1;
 
 /* A surface on the unit square, in a search. */
 static void open_smooth(const int points[2], contact_row *row, int width,
-                        struct contact_surface *surface, struct contact_search *search)
+                        struct contact_surface *f, struct contact_search *s)
 {
     double line[2][SIDE_MAX];
     struct scene scene;
@@ -43,10 +44,10 @@ static void open_smooth(const int points[2], contact_row *row, int width,
             line[d][i] = i / (points[d] - 1.);
     REQUIRE(scene_init(&scene) == STATUS_OK);
     scene.length = scene.width = 1;
-    REQUIRE(contact_surface_init(surface, &scene, NULL, row, width, width,
+    REQUIRE(contact_surface_init(f, &scene, NULL, row, width, width,
                                  (const double *const[]){line[0], line[1]},
                                  points) == STATUS_OK);
-    REQUIRE(contact_search_init(search, surface, start) == STATUS_OK);
+    REQUIRE(contact_search_init(s, f, start) == STATUS_OK);
     scene_clear(&scene);
 }
 
@@ -55,8 +56,8 @@ static bool meshed;
 static struct mesh mesh;
 
 /* A net of several sheets of so long sides, n[0] rows in all, in a search. */
-static void open_sheets(int sheets, double side, const int n[2],
-                        struct contact_surface *surface, struct contact_search *search)
+static void open_sheets(int sheets, double side, const int n[2], struct contact_surface *f,
+                        struct contact_search *s)
 {
     struct scene scene;
 
@@ -66,17 +67,17 @@ static void open_sheets(int sheets, double side, const int n[2],
     for (int k = 1; k < sheets; k++)
         scene.pose[k] = scene.pose[0];
     if (meshed)
-        surface_of_grid(&scene, n, &mesh, surface);
+        surface_of_grid(&scene, n, &mesh, f);
     else
-        REQUIRE(contact_surface_init_net(surface, &scene, n) == STATUS_OK);
-    REQUIRE(contact_search_init(search, surface, start) == STATUS_OK);
+        REQUIRE(contact_surface_init_net(f, &scene, n) == STATUS_OK);
+    REQUIRE(contact_search_init(s, f, start) == STATUS_OK);
     scene_clear(&scene);
 }
 
-static void close_search(struct contact_surface *surface, struct contact_search *search)
+static void close_search(struct contact_surface *f, struct contact_search *s)
 {
-    contact_search_clear(search);
-    contact_surface_clear(surface);
+    contact_search_clear(s);
+    contact_surface_clear(f);
     mesh_clear(&mesh);
 }
 
@@ -152,6 +153,15 @@ static void shape_net(const struct shape *shape, const int n[2])
         shape->point(k / n[1] / (n[0] - 1.), k % n[1] / (n[1] - 1.), place[k]);
 }
 
+/* Returns the share of `change` that may be gone. */
+static double limit(struct contact_search *s, double x[3], double d[3], double wall)
+{
+    double share;
+
+    REQUIRE(contact_search_limit(s, x, d, wall, 1, &share, NULL) == STATUS_OK);
+    return share;
+}
+
 static void check_same(const struct contact_search *a, const struct contact_search *b)
 {
     const size_t width = contact_foot_width(a->sheet.surface);
@@ -168,6 +178,14 @@ static void check_same(const struct contact_search *a, const struct contact_sear
                      memcmp(v, w, p.count * sizeof *v) || (size_t)p.count > width;
     }
     CHECK(different == 0);
+}
+
+/* Finds feet by kept triangles and by every pair: they are the same. */
+static void check_pairs(struct contact_search *kept, struct contact_search *all)
+{
+    REQUIRE(contact_search_find(kept, place[0]) == STATUS_OK);
+    REQUIRE(contact_search_find_all(all, place[0]) == STATUS_OK);
+    check_same(kept, all);
 }
 
 /* What a foot is: where its weights say, D along the normal from the sample, not beside
@@ -215,16 +233,13 @@ static void test_every_pair(void)
         const struct shape *shape = &shapes[k < SHAPES ? k : CRUMPLED];
         const int sheets = k < SHAPES ? 1 : 2 + 3 * (k - SHAPES),
                   n[2] = {25 / sheets * sheets, 21};
-        struct contact_surface surface;
         struct contact_search kept, all;
         open_sheets(sheets, 1, n, &surface, &kept);
         REQUIRE(contact_search_init(&all, &surface, start) == STATUS_OK);
         shape_net(shape, n);
         for (int call = 0; call < CALLS; call++) {
             omp_set_num_threads(1 + call % 4);
-            REQUIRE(contact_search_find(&kept, place[0]) == STATUS_OK);
-            REQUIRE(contact_search_find_all(&all, place[0]) == STATUS_OK);
-            check_same(&kept, &all);
+            check_pairs(&kept, &all);
             check_feet(&kept, sheets);
             if (call == 0 && sheets == 1)
                 CHECK(kept.count >= shape->least && kept.count <= shape->most);
@@ -305,8 +320,6 @@ static const double smooth_error = 1e-6;
 static void test_smooth(void)
 {
     const int n[2] = {64, 3};
-    struct contact_surface surface;
-    struct contact_search search;
     double distance, normal;
 
     for (int k = 0; k < 2 * ORDER; k++)
@@ -337,8 +350,6 @@ static void test_loops(void)
     enum { STEPS = 70, POINTS = 40 };
     static double share[2][2 * 3 * POINTS];
     const double step = 1e-5;
-    struct contact_surface surface;
-    struct contact_search search;
     double most = 0;
 
     open_smooth((const int[]){POINTS, 3}, smooth_row, 2 * ORDER, &surface, &search);
@@ -401,8 +412,6 @@ static void test_bend(void)
     const double nearer = 1e-5 * start;
     double along = 0, across = 0, least = INFINITY, most = 0;
     struct scene scene;
-    struct contact_surface surface;
-    struct contact_search search;
 
     REQUIRE(scene_init(&scene) == STATUS_OK);
     scene.sheets = 2, scene.length = scene.width = 1, scene.pose[1] = scene.pose[0];
@@ -456,8 +465,6 @@ static void test_sliding(void)
     static double normal[2 * HALF * M][3], at[2 * HALF * M][2];
     double turned = 0, moved = 0;
     long compared = 0;
-    struct contact_surface surface;
-    struct contact_search search;
 
     open_sheets(1, 1, n, &surface, &search);
     memset(at, 0, sizeof at);
@@ -500,8 +507,6 @@ static void test_leaving(void)
     const double side = 0.2, gap = 0.9 * start;
     const double most = sqrt(start * start - gap * gap) / (start - gap) / STEPS;
     double before = ROWS * M;
-    struct contact_surface surface;
-    struct contact_search search;
 
     open_sheets(2, side, n, &surface, &search);
     for (int k = 0; k <= STEPS; k++) {
@@ -527,8 +532,6 @@ static void test_leaving(void)
 static void test_not_a_number(void)
 {
     const int n[2] = {20, 20};
-    struct contact_surface surface;
-    struct contact_search search;
     double share;
 
     open_sheets(1, 1, n, &surface, &search);
@@ -565,8 +568,6 @@ static void test_approach(void)
     enum { STEPS = 80 };
     const int n[2] = {40, 20};
     const double step = 0.031 * start;
-    struct contact_surface surface;
-    struct contact_search search;
 
     open_sheets(1, 1, n, &surface, &search);
     for (int k = 0; k < 2 * STEPS; k++) {
@@ -586,20 +587,16 @@ static void test_limit_of_layers(void)
 {
     const int n[2] = {40, 20};
     const double wall = start / 2, gap = 0.8 * start - wall;
-    struct contact_surface surface;
-    struct contact_search search;
 
     open_sheets(1, 1, n, &surface, &search);
     place_layers(n, 0.8 * start);
     for (int k = 0; k < 5; k++) {
         const double closing = k * 0.4 * gap, want = fmin(1, 0.5 * gap / closing);
-        double share;
         for (int p = 0; p < n[0] * n[1]; p++) {
             const int up = p / n[1] >= n[0] / 2;
             change[p][0] = 5, change[p][1] = k, change[p][2] = 3 - up * closing;
         }
-        REQUIRE(contact_search_limit(&search, place[0], change[0], wall, 1, &share, NULL) ==
-                STATUS_OK);
+        const double share = limit(&search, place[0], change[0], wall);
         CHECK(share <= want + far_rounding && share >= 0.97 * want);
     }
     close_search(&surface, &search);
@@ -612,11 +609,9 @@ static void test_limit(void)
     enum { ROUNDS = 60 };
     const int n[2] = {24, 20};
     const double near = 0.01; /* pairs that count are then all that share no corner */
-    struct contact_surface surface;
     struct intersection work = {0};
 
     for (int k = 0; k < 4; k++) {
-        struct contact_search search;
         double done = 0;
         long crossings = 0, cuts = 0;
         open_sheets(1, 1, n, &surface, &search);
@@ -625,13 +620,11 @@ static void test_limit(void)
         shape_net(&shapes[k], n);
         for (int round = 0; round < ROUNDS; round++) {
             const double size = pow(10, -1 - round % 3), noise = k < 2 ? 0.3 : 0.05;
-            double share;
             for (int p = 0; p < n[0] * n[1]; p++)
                 for (int i = 0; i < 3; i++)
                     change[p][i] = size * (sin(5 * place[p][(i + 1) % 3] + i + 7 * round) +
                                            noise * random_about_0());
-            REQUIRE(contact_search_limit(&search, place[0], change[0], 0, 1, &share,
-                                         NULL) == STATUS_OK);
+            const double share = limit(&search, place[0], change[0], 0);
             for (int p = 0; p < n[0] * n[1]; p++)
                 for (int i = 0; i < 3; i++)
                     place[p][i] += share * change[p][i];
@@ -653,9 +646,9 @@ static void test_sheets_alone(void)
     enum { ROWS = 25, M = 21, COUNT = ROWS * M, SHEETS = 3 };
     static double at[COUNT][3];
     const int n[2] = {SHEETS * ROWS, M}, one[2] = {ROWS, M};
-    struct contact_surface surface, lone;
+    struct contact_surface lone;
     struct contact_search all, alone;
-    double share, least = 1;
+    double least = 1;
     int first = 0;
 
     open_sheets(SHEETS, 1, n, &surface, &all);
@@ -678,14 +671,10 @@ static void test_sheets_alone(void)
             CHECK_NEAR(a->strength, b->strength, far_rounding);
         }
         first += alone.count;
-        REQUIRE(contact_search_limit(&alone, at[0], change[k * COUNT], 0, 1, &share,
-                                     NULL) == STATUS_OK);
-        least = fmin(least, share);
+        least = fmin(least, limit(&alone, at[0], change[k * COUNT], 0));
     }
     CHECK(first == all.count && least < 1);
-    REQUIRE(contact_search_limit(&all, place[0], change[0], 0, 1, &share, NULL) ==
-            STATUS_OK);
-    CHECK(share == least);
+    CHECK(limit(&all, place[0], change[0], 0) == least);
     close_search(&surface, &all);
     close_search(&lone, &alone);
 }
@@ -705,7 +694,6 @@ static void test_sides(void)
     const int n[2] = {2 * ROWS, M};
 
     for (int k = 0; k < 2; k++) {
-        struct contact_surface surface;
         struct contact_search kept, all;
         open_sheets(meshed ? 1 : 2, start / 4, n, &surface, &kept);
         contact_search_clear(&kept);
@@ -725,9 +713,7 @@ static void test_sides(void)
         }
         for (int side = 0; side < 2; side++) {
             int f = 0;
-            REQUIRE(contact_search_find(&kept, place[0]) == STATUS_OK);
-            REQUIRE(contact_search_find_all(&all, place[0]) == STATUS_OK);
-            check_same(&kept, &all);
+            check_pairs(&kept, &all);
             while (f < all.count && all.foot[f].sample != I * M + J)
                 f++;
             CHECK(f < all.count && all.foot[f].side == side);
@@ -766,10 +752,10 @@ static void open_all(struct contact_search *s)
         s->tree.patches.convex[n] = false;
 }
 
-static enum status count_pair(struct contact_tree_search *search, int cell, int other)
+static enum status count_pair(struct contact_tree_search *s, int cell, int other)
 {
     (void)cell, (void)other;
-    ++*(long *)search->context;
+    ++*(long *)s->context;
     return STATUS_OK;
 }
 
@@ -795,12 +781,10 @@ static void test_patterns(void)
     void (*const shape[])(double, double, double *) = {flat, folded, crumpled, forked};
 
     for (int k = 0; k < 16; k++) {
-        struct contact_surface surface;
         struct contact_search kept, all;
         struct scene scene;
-        double share[2];
         long pairs = 0;
-        struct contact_tree_search search = {1.3 * start, 0, &pairs, count_pair};
+        struct contact_tree_search visit = {1.3 * start, 0, &pairs, count_pair};
         REQUIRE(scene_init(&scene) == STATUS_OK);
         surface_of_lines(&scene, patterns[k / 4].line, (int[]){31, 31}, k + 1, &mesh,
                          &surface);
@@ -812,22 +796,18 @@ static void test_patterns(void)
             change[p / 3][p % 3] = 0.02 * random_about_0();
         for (int call = 0; call < 3; call++) {
             omp_set_num_threads(1 + call);
-            REQUIRE(contact_search_find(&kept, place[0]) == STATUS_OK);
-            REQUIRE(contact_search_find_all(&all, place[0]) == STATUS_OK);
-            check_same(&kept, &all);
+            check_pairs(&kept, &all);
             check_feet(&kept, 1);
             for (int p = 0; p < 3 * mesh.vertices; p++)
                 place[p / 3][p % 3] += 0.1 * start * sin(7. * p + call);
         }
         CHECK(k % 4 ? kept.count > 50 : kept.count == 0);
-        REQUIRE(contact_search_limit(&kept, place[0], change[0], 0, 1, &share[0], NULL) ==
-                STATUS_OK);
-        REQUIRE(contact_search_limit(&all, place[0], change[0], 0, 1, &share[1], NULL) ==
-                STATUS_OK);
-        CHECK(share[0] == share[1] && share[0] > 0 && (share[0] < 1 || k % 4 == 0));
+        const double share = limit(&kept, place[0], change[0], 0);
+        CHECK(share == limit(&all, place[0], change[0], 0));
+        CHECK(share > 0 && (share < 1 || k % 4 == 0));
         shape_mesh(flat);
         contact_tree_fit(&kept.tree, place[0], NULL);
-        REQUIRE(contact_tree_visit(&kept.tree, &search) == STATUS_OK);
+        REQUIRE(contact_tree_visit(&kept.tree, &visit) == STATUS_OK);
         CHECK(patterns[k / 4].convex ? pairs == 0 : pairs < 4L * mesh.flat.triangles);
         contact_search_clear(&all);
         close_search(&surface, &kept);

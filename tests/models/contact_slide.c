@@ -1,6 +1,5 @@
 /* A layer that slides over a curved one comes no nearer, and goes no farther: its push has
  * no rate. */
-#include <math.h>
 
 #include "models/contact/contact.h"
 #include "tests/check.h"

@@ -53,7 +53,6 @@ static struct scene_obstacle cone(int corners, double radius, double height, dou
     double vertex[16][3];
     int triangle[32][3], count = 0;
     struct scene_obstacle o = {.kind = OBSTACLE_MESH, .scale = 1};
-    struct message why;
 
     if (edge > 0) { /* a ridge from vertex 4 to 5 over a rectangle */
         static const int wedge[8][3] = {{0, 1, 4}, {1, 2, 5}, {1, 5, 4}, {2, 3, 5},
@@ -78,7 +77,7 @@ static struct scene_obstacle cone(int corners, double radius, double height, dou
         memset(vertex[corners], 0, sizeof *vertex);
     }
     REQUIRE(body_mesh_make(corners + 1, (const double(*)[3])vertex, count,
-                           (const int(*)[3])triangle, &o.mesh, &why) == STATUS_OK);
+                           (const int(*)[3])triangle, &o.mesh, NULL) == STATUS_OK);
     return o;
 }
 

@@ -4,6 +4,7 @@
 #include "models/law/law.h"
 
 #include "tests/check.h"
+#include "tests/noise.h"
 
 /* Sums of a few products of order one. */
 static const double ROUNDING = 1e-13;
@@ -12,11 +13,6 @@ static const double ROUNDING = 1e-13;
  */
 static const struct law_fabric DENIM = {
     {1700, 3200, 900, 810}, {1.1e-4, 2.2e-4, 0.4e-4, 0.7e-4}, 25};
-
-static double noise(int n)
-{
-    return 2 * fmod((n + 1) * 0.6180339887498949, 1) - 1;
-}
 
 static void fill(double e[3], int seed)
 {

@@ -8,6 +8,7 @@
 #include "models/grid.h"
 #include "tests/failing_memory.h"
 #include "tests/scratch.h"
+#include "tests/text.h"
 
 struct sheet {
     const struct contestant *contestant;
@@ -175,13 +176,9 @@ static void try_garment(void)
 {
     scratch_open();
     const char *mesh = scratch_path("dart.obj");
-    FILE *out = fopen(mesh, "w");
 
-    REQUIRE(out &&
-            fputs("v 0 0 0\nv .4 0 0\nv .5 .5 0\nv .6 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
-                  "g a\nf 1 2 3\nf 1 3 7\nf 3 6 7\nf 3 5 6\nf 3 4 5\n",
-                  out) >= 0 &&
-            fclose(out) == 0);
+    text_write(mesh, "v 0 0 0\nv .4 0 0\nv .5 .5 0\nv .6 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
+                     "g a\nf 1 2 3\nf 1 3 7\nf 3 6 7\nf 3 5 6\nf 3 4 5\n");
     try_all(&(struct deed){"a scene with a dart", read_garment, mesh, .every = true});
 }
 

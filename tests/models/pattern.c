@@ -3,11 +3,6 @@
  */
 #include "models/pattern.h"
 
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include "models/supports.h"
 #include "models/pattern_mesh.h"
 #include "tests/check.h"
 

@@ -1,6 +1,5 @@
 /* Scenes and discretizations made in memory: needs, paths, copies, sheets, ripples. */
 #include "models/discretization.h"
-#include "models/damping.h"
 #include "models/grid.h"
 #include "models/scene.h"
 #include "tests/check.h"
@@ -159,8 +158,7 @@ static void check_clamped(void)
             strcat(edges, edge ? " " : "");
             strcat(edges, scene_edge_clamped(&s, 0, edge / 2, edge % 2) ? "yes" : "no");
         }
-        if (!CHECK(!strcmp(edges, cases[n].edges)))
-            printf("support %zu: %s\n", n, edges);
+        CHECK_SAY(!strcmp(edges, cases[n].edges), "support %zu: %s", n, edges);
         scene_clear(&s);
     }
 }

@@ -60,9 +60,9 @@ static void check_usual(void)
         struct run run;
         opened_read(&run, "edge_drop", usual[n].model, 2, usual[n].settings);
         const int *got = run.discretization.points, *want = usual[n].points;
-        if (!CHECK(got[0] == want[0] && got[1] == want[1]))
-            printf("usual %zu: %s has %dx%d points, not %dx%d\n", n, usual[n].model, got[0],
-                   got[1], want[0], want[1]);
+        CHECK_SAY(got[0] == want[0] && got[1] == want[1],
+                  "usual %zu: %s has %dx%d points, not %dx%d", n, usual[n].model, got[0],
+                  got[1], want[0], want[1]);
         run_close(&run);
     }
 }
@@ -77,8 +77,7 @@ int main(void)
                     OPENED_LIST(row->supports, row->sheets));
         const int got =
             support_lines_points(&run.scene, row->along, row->points, row->degree);
-        if (!CHECK(got == row->want))
-            printf("row %zu: %d points, not %d\n", n, got, row->want);
+        CHECK_SAY(got == row->want, "row %zu: %d points, not %d", n, got, row->want);
         run_close(&run);
     }
     return check_result();

@@ -47,6 +47,16 @@ def test_usd(tmp_path, scene, change, has, vertices, area):
     at = [numbers(part, "coords1") for part in text.split("def PhysicsAttachment")[1:]]
     assert np.allclose(sum(at, []), x[np.array(sum(held, []), int)].ravel())
 
+def test_a_mesh_has_its_clamp_across_held_edges(tmp_path):
+    export = clothbench.export("trapezoid", 7, 7, tmp_path / "out")
+    text = (tmp_path / "out" / "scene.usda").read_text()
+    corners = np.array(numbers(text, "faceVertexIndices"), int).reshape(-1, 3)
+    sides = np.concatenate([corners[:, [k, (k + 1) % 3]] for k in range(3)])
+    assert len(export.beside) > 3 and len(corners) == len(export.triangles) + len(export.beside)
+    assert len(np.unique(sides, axis=0)) == len(sides)
+    a, b, c = (export.x[corners[:, k], :2] for k in range(3))
+    assert np.cross(b - a, c - a).min() > 0
+
 def test_what_turns_moves_as_its_path(tmp_path):
     export = clothbench.export("twist", 3, 3, tmp_path / "out")
     text = usd.text_of(tmp_path / "out")

@@ -34,78 +34,31 @@ static const struct {
     int component;
     double right, tolerance; /* [m], of the way from rest [1]                           */
 } cases[] = {
+    /* clang-format off */
     /* a heavy elastica; a clamp of 11 points bends 1 % too far */
-    {"overhang",
-     NET "[11,7]",
-     {NULL},
-     ALL,
-     ALL & ~BIT(XPBD),
-     {1, 0.5, 0.5},
-     2,
-     -0.02296,
+    {"overhang", NET "[11,7]", {NULL}, ALL, ALL & ~BIT(XPBD), {1, 0.5, 0.5}, 2, -0.02296,
      0.02},
     /* the ends' pull and the load, where default nets have a line; sweeps and
      * constraints do not arrive on long cells */
-    {"webbing",
-     "",
-     {"time.end=0.2"},
-     ALL,
-     BIT(TRIANGLES) | BIT(SPRINGS) | BIT(SHELL) | BIT(IGA),
-     {0.5, 0.5, 0.5},
-     2,
-     -0.012,
-     0.05},
-    {"webbing",
-     NET "[21,3]",
-     {"time.end=0.2"},
-     BIT(VBD) | BIT(PROJECTIVE) | BIT(XPBD),
-     BIT(VBD) | BIT(PROJECTIVE),
-     {0.5, 0.5, 0.5},
-     2,
-     -0.012,
-     0.05},
+    {"webbing", "", {"time.end=0.2"}, ALL, BIT(TRIANGLES) | BIT(SPRINGS) | BIT(SHELL) |
+     BIT(IGA), {0.5, 0.5, 0.5}, 2, -0.012, 0.05},
+    {"webbing", NET "[21,3]", {"time.end=0.2"}, BIT(VBD) | BIT(PROJECTIVE) | BIT(XPBD),
+     BIT(VBD) | BIT(PROJECTIVE), {0.5, 0.5, 0.5}, 2, -0.012, 0.05},
     /* g (sin - mu cos) t^2 / 2; a step of Euler is 1 % of the time */
-    {"incline",
-     NET "[11,11]",
-     {NULL},
-     ALL & ~BIT(IGA),
-     ALL & ~BIT(IGA),
-     {0.5, 0.5, 0.5},
-     0,
-     0.6530,
-     0.02},
+    {"incline", NET "[11,11]", {NULL}, ALL & ~BIT(IGA), ALL & ~BIT(IGA), {0.5, 0.5, 0.5}, 0,
+     0.6530, 0.02},
     /* even stretch of 1.5; cured splines strain unevenly at clamps by 3 %; springs would
      * crumple, were those along long cells of no strength */
-    {"tensile",
-     NET "[11,5]",
-     {NULL},
-     ALL,
-     ALL & ~BIT(XPBD),
-     {0.25, 0.5, 0.5},
-     0,
-     0.025,
+    {"tensile", NET "[11,5]", {NULL}, ALL, ALL & ~BIT(XPBD), {0.25, 0.5, 0.5}, 0, 0.025,
      0.03},
     /* slips: e^(mu pi) < 1.4; Euler's steps are of first order, at 1 ms 3 % */
-    {"capstan",
-     NET "[49,3]",
-     {"time.step=0.001"},
-     BIT(VBD) | BIT(PROJECTIVE) | BIT(XPBD),
-     0,
-     {0.5, 0.5, 0.5},
-     2,
-     -0.2725,
-     0.04},
+    {"capstan", NET "[49,3]", {"time.step=0.001"}, BIT(VBD) | BIT(PROJECTIVE) | BIT(XPBD),
+     0, {0.5, 0.5, 0.5}, 2, -0.2725, 0.04},
     /* the others' are of second order, at 5 ms; pressed along the normals of their ends
      * the strip slips by 27 % too far */
-    {"capstan",
-     "",
-     {NET "[41,4]"},
-     BIT(SHELL) | BIT(TRIANGLES) | BIT(SPRINGS),
-     BIT(SHELL) | BIT(TRIANGLES) | BIT(SPRINGS),
-     {0.5, 0.5, 0.5},
-     2,
-     -0.2725,
-     0.04},
+    {"capstan", "", {NET "[41,4]"}, BIT(SHELL) | BIT(TRIANGLES) | BIT(SPRINGS), BIT(SHELL) |
+     BIT(TRIANGLES) | BIT(SPRINGS), {0.5, 0.5, 0.5}, 2, -0.2725, 0.04},
+    /* clang-format on */
 };
 
 /* Follows a run to its end; tells how it ended, and how far a point has come. */
@@ -120,11 +73,9 @@ static double way_of(const struct case_plan *plan, const double *uvw, int compon
     double x[3], rest[3];
 
     asked.keep = (struct run_keep){.file = file, .every = 20, .fields = RUN_FIELDS_NONE};
-    if (run_read(&run, &asked, &why) != STATUS_OK ||
-        run_file_follow(&asked, &run, &m, &f, &why) != STATUS_OK) {
-        printf("%s on %s: %s\n", plan->contestant->name, plan->path, why.text);
-        exit(1);
-    }
+    REQUIRE_SAY(run_read(&run, &asked, &why) == STATUS_OK &&
+                    run_file_follow(&asked, &run, &m, &f, &why) == STATUS_OK,
+                "%s on %s: %s", plan->contestant->name, plan->path, why.text);
     run.model->probe(run.state, 1, uvw, x);
     scene_rest_point(&run.scene, uvw, rest);
     REQUIRE(run_file_close(f, &m, r, &why) == STATUS_OK);
@@ -209,10 +160,10 @@ static void check_astray(void)
         struct message told;
         way_of(&plan, middle, 2, NULL, &r, &told);
         const bool astray = r.value[MEASURE_NOT_ARRIVED] > ARRIVAL_ASTRAY;
-        if (!CHECK(astray == row[n].told && !run_result_missed(&r)) ||
-            !CHECK(!astray || strstr(told.text, "iterations ended at their limit")))
-            printf("  %s: %g of the loads are left; %s\n", row[n].name, r.work.left,
-                   told.text);
+        SAY_UNLESS(
+            CHECK(astray == row[n].told && !run_result_missed(&r)) &&
+                CHECK(!astray || strstr(told.text, "iterations ended at their limit")),
+            "%s: %g of the loads are left; %s", row[n].name, r.work.left, told.text);
         settings_clear(&plan.settings);
     }
 }
@@ -250,9 +201,9 @@ static void check_held_area(void)
             way[strip] = way_of(&plan, tip, 2, NULL, &r, &told);
             settings_clear(&plan.settings);
         }
-        if (!CHECK(fabs(way[1] - way[0]) < SAME))
-            printf("%s: the tip moves by %.9g m, and by %.9g with a strip held\n", who[n],
-                   way[0], way[1]);
+        CHECK_SAY(fabs(way[1] - way[0]) < SAME,
+                  "%s: the tip moves by %.9g m, and by %.9g with a strip held", who[n],
+                  way[0], way[1]);
     }
 }
 

@@ -73,9 +73,9 @@ static void check_carried(const struct row *row, const struct force *force)
         for (int i = 0; i < 3; i++)
             field[0][n][i] += V[i] * STEPS * still.scene.step;
     }
-    if (!CHECK_NEAR(opened_apart(field[0][0], field[1][0]), 0, row->carried) ||
-        !CHECK(most > 0.01))
-        printf("  %s carried, %s: moved %g m\n", row->name, force->common, most);
+    SAY_UNLESS(CHECK_NEAR(opened_apart(field[0][0], field[1][0]), 0, row->carried) &&
+                   CHECK(most > 0.01),
+               "%s carried, %s: moved %g m", row->name, force->common, most);
     run_close(&still);
     run_close(&moving);
 }
@@ -100,10 +100,10 @@ static void check_work(const char *name, const char *points, double tolerance)
     run.model->energy(run.state, &e);
     /* The mean over the end is that of the nodes but for the rule's curvature. */
     const double TOL_MEAN = 2e-2;
-    if (!CHECK(work > 1e-4) || !CHECK_NEAR(e.potential / -work, 1, TOL_MEAN) ||
-        !CHECK_NEAR((e.kinetic + e.elastic + e.potential) / work, 0, tolerance))
-        printf("  %s, pulled: work %g J, kinetic %g, elastic %g, potential %g\n", name,
-               work, e.kinetic, e.elastic, e.potential);
+    SAY_UNLESS(CHECK(work > 1e-4) && CHECK_NEAR(e.potential / -work, 1, TOL_MEAN) &&
+                   CHECK_NEAR((e.kinetic + e.elastic + e.potential) / work, 0, tolerance),
+               "%s, pulled: work %g J, kinetic %g, elastic %g, potential %g", name, work,
+               e.kinetic, e.elastic, e.potential);
     run_close(&run);
 }
 
@@ -128,8 +128,8 @@ static void check_ringing(void)
         opened_steps(&run, STEPS);
         run.model->energy(run.state, &e);
         const double lost = -(e.kinetic + e.elastic + e.potential) / STATIC_WORK;
-        if (!CHECK(lost > row[n].least && lost < row[n].most))
-            printf("  %s: lost %g\n", row[n].viscosity, lost);
+        CHECK_SAY(lost > row[n].least && lost < row[n].most, "%s: lost %g",
+                  row[n].viscosity, lost);
         run_close(&run);
     }
 }
@@ -156,10 +156,10 @@ static void check_relief(void)
         work[n] = opened_steps(&run, 100);
         run_close(&run);
     }
-    if (!CHECK(work[0].viscous > 0 && work[0].viscous < 50 && work[1].viscous == 0 &&
-               (double)work[0].assemblies < SPARED * (double)work[1].assemblies))
-        printf("  relief: %ld and %ld tangents, %ld and %ld steps with viscosity\n",
-               work[0].assemblies, work[1].assemblies, work[0].viscous, work[1].viscous);
+    CHECK_SAY(work[0].viscous > 0 && work[0].viscous < 50 && work[1].viscous == 0 &&
+                  (double)work[0].assemblies < SPARED * (double)work[1].assemblies,
+              "relief: %ld and %ld tangents, %ld and %ld steps with viscosity",
+              work[0].assemblies, work[1].assemblies, work[0].viscous, work[1].viscous);
 }
 
 int main(void)

@@ -72,10 +72,10 @@ static void test_points(double opening, double flare)
 static double off(const struct model *model, const struct scene *s,
                   const struct discretization *d)
 {
-    double *xyz = malloc(3 * GRID_POINTS * sizeof *xyz), most = 0, at[3] = {0.37, 0.81, 1};
+    static double xyz[3 * GRID_POINTS];
+    double most = 0, at[3] = {0.37, 0.81, 1};
     void *state = create(model, s, d);
 
-    REQUIRE(xyz);
     model_sample(model, state, xyz);
     for (int n = 0; n < GRID_POINTS; n++) {
         double uvw[3], x[3], again[3];
@@ -94,7 +94,6 @@ static double off(const struct model *model, const struct scene *s,
     for (int c = 0; c < 3; c++)
         most = fmax(most, fabs(x[c] - there[c]));
     model_destroy(model, state);
-    free(xyz);
     return most;
 }
 
@@ -228,11 +227,9 @@ static void test_metrics(void)
     /* differences of the grid's steps, 5 mm at least, on coordinates of size 1 */
     const double tol_stretch = 1e-12, tol_roughness = 1e-8;
     static const double turn[3][3] = {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}};
-    double *rest = malloc(3 * GRID_POINTS * sizeof *rest), *xyz;
+    static double rest[3 * GRID_POINTS], xyz[3 * GRID_POINTS];
     struct scene s;
 
-    xyz = malloc(3 * GRID_POINTS * sizeof *xyz);
-    REQUIRE(rest && xyz);
     init_cloak(&s, 200, 25);
     for (int n = 0; n < GRID_POINTS; n++) {
         double uvw[3];
@@ -268,7 +265,6 @@ static void test_metrics(void)
     memcpy(s.gravity, (double[]){9.81, 0, 0}, sizeof s.gravity);
     double outer = (top + s.length * sin(beta)); /* gravity outwards: the hem's middle */
     CHECK_NEAR(metric_drop(&s, rest) * s.length, outer - top * cos(100 * PI / 180), 1e-3);
-    free(rest), free(xyz);
     scene_clear(&s);
 }
 
@@ -277,10 +273,10 @@ static void test_closed_contact(struct scene *s, const struct discretization *d,
                                 const double *rest)
 {
     const double tol_rest = 1e-9; /* [m], of some Newton steps on 1 m */
-    double *xyz = malloc(3 * GRID_POINTS * sizeof *xyz), most = 0;
+    static double xyz[3 * GRID_POINTS];
+    double most = 0;
     struct counters counters = {0};
 
-    REQUIRE(xyz);
     s->contact.self = true, s->gravity[2] = 0;
     void *state = create(named("shell")->model, s, d);
     CHECK(named("shell")->model->advance(state, &counters) == STATUS_OK);
@@ -289,7 +285,6 @@ static void test_closed_contact(struct scene *s, const struct discretization *d,
         most = fmax(most, fabs(xyz[n] - rest[n]));
     CHECK(most < tol_rest);
     model_destroy(named("shell")->model, state);
-    free(xyz);
 }
 
 /* A closed cloak: v = 1 is v = 0, models follow the circle to 2 (n - 1)^-(p + 1) of its
@@ -297,10 +292,10 @@ static void test_closed_contact(struct scene *s, const struct discretization *d,
 static void test_closed(double flare)
 {
     const char *const name[] = {"shell", "iga"};
-    double x[3], y[3], *rest = malloc(3 * GRID_POINTS * sizeof *rest);
+    static double rest[3 * GRID_POINTS];
+    double x[3], y[3];
     struct scene s;
 
-    REQUIRE(rest);
     init_cloak(&s, 360, flare);
     CHECK(scene_closed(&s) && scene_needs(&s) & SCENE_NEED_CLOSED_REST);
     scene_rest_point(&s, (double[]){0.7, 0, 0.2}, x);
@@ -319,7 +314,6 @@ static void test_closed(double flare)
     CHECK(metric_intersections(&s, rest) == 0);
     model_destroy(named("shell")->model, state);
     test_closed_contact(&s, &d, rest);
-    free(rest);
     scene_clear(&s);
 }
 
@@ -328,10 +322,9 @@ static void test_closed(double flare)
 static void test_drape(void)
 {
     const double tol_flat = 1e-12, tol_area = 2e-3;
-    double *xyz = malloc(3 * GRID_POINTS * sizeof *xyz);
+    static double xyz[3 * GRID_POINTS];
     struct scene s;
 
-    REQUIRE(xyz);
     init_cloak(&s, 360, 90);
     const double r0 = s.width / (2 * PI), L = s.length;
     for (int waves = 0; waves < 2; waves++) {
@@ -352,7 +345,6 @@ static void test_drape(void)
     CHECK(isnan(drape_coefficient(&s, xyz)) && isnan(drape_folds(&s, xyz)));
     s.flare = 80;
     CHECK(isnan(drape_coefficient(&s, xyz)) && isnan(drape_folds(&s, xyz)));
-    free(xyz);
     scene_clear(&s);
 }
 
@@ -391,8 +383,7 @@ static void test_roof(const char *name, int n, int p, int l, enum remedy remedy)
     for (int e = 0; e < (half ? 2 : 3); e++)
         REQUIRE(!scene_add_support(&s, half ? &solid_end[e] : &shell_end[e]));
     void *state = create(model, &s, &d);
-    if (!CHECK(model->equilibrium(state, &counters, &why) == STATUS_OK))
-        printf("%s\n", why.text);
+    CHECK_SAY(model->equilibrium(state, &counters, &why) == STATUS_OK, "%s", why.text);
     scene_rest_point(&s, corner, rest);
     model->probe(state, 1, corner, x);
     printf("roof: %s %d x %d, p = %d: %.6f\n", name, n, n, p, rest[2] - x[2]);

@@ -121,8 +121,7 @@ static void read_sheet(struct fixture *f, const char *name, const char *const *m
         settings_integer(&plan.settings, KEY "substeps", QUARTERS);
     settings_list(&plan.settings, 3, f->variant->settings);
     settings_list(&plan.settings, SETTINGS, more);
-    if (!CHECK(run_read(&f->run, &plan, &why) == STATUS_OK))
-        printf("%s\n", why.text);
+    CHECK_SAY(run_read(&f->run, &plan, &why) == STATUS_OK, "%s", why.text);
     settings_clear(&plan.settings);
 }
 
@@ -134,15 +133,10 @@ static void make(struct fixture *f, const char *name)
 /* Models that have no number of substeps halve their steps where Newton's method fails. */
 static void start(struct fixture *f)
 {
-    struct message why = {""};
-
     longest = f->pieces > 1 && !f->run.discretization.substeps
                   ? 1.01 * f->run.scene.step / f->pieces
                   : INFINITY;
-    if (!CHECK(run_build(&f->run, &why) == STATUS_OK)) {
-        printf("%s\n", why.text);
-        exit(1);
-    }
+    opened_build(&f->run);
 }
 
 static void advance(struct fixture *f)

@@ -1,6 +1,5 @@
 /* The contract of models/model.h, held against every model of the contestants and the toy
  * model: a model that competes is tested. (Threads: threads.c.) */
-#include <math.h>
 
 #include "models/grid.h"
 #include "models/metric/metric.h"
@@ -16,13 +15,6 @@ static const size_t field_size = FIELD * sizeof(double);
 static const double energy_gain = 1e-9;
 /* Mass of a sheet summed from a few hundred entries of M. */
 static const double mass_rounding = 1e-12;
-
-static double *new_field(void)
-{
-    double *xyz = malloc(field_size);
-    REQUIRE(xyz);
-    return xyz;
-}
 
 /* A whole run's last field. */
 static void run(const struct model *model, const struct scene *scene,
@@ -68,7 +60,7 @@ static void check_size(const struct model *model, const struct scene *scene,
 static void check_sampling(const struct model *model, const struct scene *scene,
                            const struct discretization *d)
 {
-    double *first = new_field(), *second = new_field(), *grid = new_field();
+    static double first[FIELD], second[FIELD], grid[FIELD];
     void *watched = create(model, scene, d);
 
     for (int n = 0; n < GRID_POINTS; n++)
@@ -96,16 +88,13 @@ static void check_sampling(const struct model *model, const struct scene *scene,
     CHECK(!memcmp(first, second, field_size));
     CHECK(metric_drop(scene, first) > 0);
     model_destroy(model, watched);
-    free(first);
-    free(second);
-    free(grid);
 }
 
 /* Two sheets side by side move as each does alone. */
 static void check_independence(const struct model *model, const struct scene *scene,
                                const struct discretization *d)
 {
-    double *alone = new_field(), *beside = new_field(), *other = new_field();
+    static double alone[FIELD], beside[FIELD], other[FIELD];
     struct scene stiff;
 
     fill_scene(&stiff);
@@ -123,9 +112,6 @@ static void check_independence(const struct model *model, const struct scene *sc
     model_destroy(model, a);
     model_destroy(model, b);
     scene_clear(&stiff);
-    free(alone);
-    free(beside);
-    free(other);
 }
 
 /* A free sheet goes this way in FRAMES steps of h, over each component: gravity alone, an
@@ -168,7 +154,7 @@ static double mean(const double *xyz, int i)
 static void check_free_motion(const struct model *model, const struct motion *m)
 {
     struct discretization d = small_net(model);
-    double *first = new_field(), *last = new_field();
+    static double first[FIELD], last[FIELD];
     struct scene scene;
     void *state = NULL;
 
@@ -195,13 +181,11 @@ static void check_free_motion(const struct model *model, const struct motion *m)
     for (int i = 0; i < 3 && st == STATUS_OK; i++) {
         const double want = velocity[i] * t * m->reach + m->gravity[i] * t * t / 2;
         const double step = fabs(velocity[i]) * h + fabs(m->gravity[i]) * t * h;
-        if (!CHECK_NEAR(mean(last, i) - mean(first, i), want, step))
-            printf("  %s, component %d\n", m->name, i);
+        SAY_UNLESS(CHECK_NEAR(mean(last, i) - mean(first, i), want, step),
+                   "%s, component %d", m->name, i);
     }
     model_destroy(model, state);
     scene_clear(&scene);
-    free(first);
-    free(last);
 }
 
 /* Returns the largest drop in FRAMES steps, which last t, of a sheet whose beta is so many
@@ -209,7 +193,8 @@ static void check_free_motion(const struct model *model, const struct motion *m)
 static double most_drop(const struct model *model, double times)
 {
     const struct discretization d = small_net(model);
-    double *xyz = new_field(), most = 0;
+    static double xyz[FIELD];
+    double most = 0;
     struct scene scene;
     void *state = NULL;
 
@@ -226,7 +211,6 @@ static double most_drop(const struct model *model, double times)
     }
     model_destroy(model, state);
     scene_clear(&scene);
-    free(xyz);
     return st == STATUS_OK ? most : NAN;
 }
 
@@ -281,18 +265,16 @@ static void check_equilibrium(const struct model *model, const struct scene *sce
 {
     struct counters counters = {0};
     struct message why = {{0}};
-    double *xyz;
+    static double xyz[FIELD];
 
     if (!model->equilibrium)
         return;
     void *state = create(model, scene, d);
-    xyz = new_field();
-    if (!CHECK(model->equilibrium(state, &counters, &why) == STATUS_OK))
-        printf("%s: %s\n", model->name, why.text);
+    CHECK_SAY(model->equilibrium(state, &counters, &why) == STATUS_OK, "%s: %s",
+              model->name, why.text);
     model_sample(model, state, xyz);
     CHECK(all_finite(xyz, FIELD) && metric_drop(scene, xyz) > 0 && counters.solves > 0);
     model_destroy(model, state);
-    free(xyz);
 }
 
 static void check_modes(const struct model *model, const struct scene *scene,

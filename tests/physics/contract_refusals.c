@@ -11,8 +11,8 @@ static void check_options(const struct model *model)
 
     for (const struct schema_key *k = model->options; k->key; k++) {
         const struct schema_key *shared = option_find(option_shared, k->key);
-        if (!CHECK(k->what ? !shared : shared && (!k->only || shared->words)))
-            printf("%s: %s\n", model->name, k->key);
+        CHECK_SAY(k->what ? !shared : shared && (!k->only || shared->words), "%s: %s",
+                  model->name, k->key);
         CHECK(option_find(model->options, k->key) == k);
         CHECK(!k->what || k->type == SCHEMA_NUMBER || k->type == SCHEMA_COUNT ||
               (k->type == SCHEMA_WORD && k->words));
@@ -46,8 +46,8 @@ static void check_refused(const struct model *model, const struct scene *scene,
     void *state = &mark;
     enum status st = model_create(model, scene, d, &state, &why);
 
-    if (!CHECK(st == want && state == &mark && *why.text))
-        printf("%s, %s: status %d, '%s'\n", model->name, what, st, why.text);
+    CHECK_SAY(st == want && state == &mark && *why.text, "%s, %s: status %d, '%s'",
+              model->name, what, st, why.text);
     if (st == STATUS_OK)
         model_destroy(model, state);
 }
@@ -233,8 +233,8 @@ static void check_needs(const struct model *model)
         fill_scene(&scene);
         add_need(&scene, needs[n],
                  model->serves & needs[n] ? part_of_thickness(model, &d) : 0);
-        if (!CHECK(scene_needs(&scene) & needs[n]))
-            printf("need %u is not in the scene made for it\n", needs[n]);
+        CHECK_SAY(scene_needs(&scene) & needs[n], "need %u is not in the scene made for it",
+                  needs[n]);
         if (model == &spring_model && needs[n] == SCENE_NEED_SOFTENING)
             d.integrator = INTEGRATOR_MOMENTUM; /* its others refuse */
         if (model->serves & needs[n]) {

@@ -86,9 +86,9 @@ static int check_carried(const struct contestant *c, const struct support *s)
         run.model->energy(run.state, &e);
         const bool single = run.discretization.precision == PRECISION_SINGLE;
         plain = n ? plain : e;
-        if (!CHECK_RELATIVE(e.kinetic, plain.kinetic,
-                            single ? SINGLE_ROUND_OFF : ROUND_OFF))
-            printf("  %s held, %s, %s\n", c->name, s->name, dampings[n]);
+        SAY_UNLESS(
+            CHECK_RELATIVE(e.kinetic, plain.kinetic, single ? SINGLE_ROUND_OFF : ROUND_OFF),
+            "%s held, %s, %s", c->name, s->name, dampings[n]);
         CHECK(!*s->motion == !(plain.kinetic > 0));
         run_close(&run), ran++;
     }

@@ -70,8 +70,8 @@ static double off_implicit(const struct kind *k, const char *points, const char 
 /* It goes the same way, whatever damps and moves it. */
 static void check_implicit(const struct kind *k, const char *more, double off)
 {
-    if (!CHECK_NEAR(off_implicit(k, k->points, more, true), 0, off))
-        printf("  %s, %s\n", k->name, more);
+    SAY_UNLESS(CHECK_NEAR(off_implicit(k, k->points, more, true), 0, off), "%s, %s",
+               k->name, more);
 }
 
 /* The order of the mass that has what row sums leave out is four in the limit: these few

@@ -146,8 +146,8 @@ static void check_fall(const struct row *row, const struct air *air)
                  s->drag / s->density + (row->law == PRINTED ? 0 : air->alpha), mu, &p[i]);
     }
     const double way[3] = {p[0].x, p[1].x, p[2].x};
-    if (!CHECK_NEAR(opened_off(&run, way) / fabs(way[2]), 0, row->tolerance))
-        printf("  %s, %s, %s: way %g m in %d steps\n", row->name,
+    SAY_UNLESS(CHECK_NEAR(opened_off(&run, way) / fabs(way[2]), 0, row->tolerance),
+               "%s, %s, %s: way %g m in %d steps", row->name,
                row->settings[0] ? row->settings[0] : "", air->drag, p[2].x, steps);
     run_close(&run);
 }

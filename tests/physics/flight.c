@@ -1,6 +1,5 @@
 /* A sheet that flies away or is carried away is not taken for one that flies apart; and in
  * every model one that nothing holds turns as it was thrown. (How far it flies: fall.c.) */
-#include <stdlib.h>
 
 #include "bench/harness/motion.h"
 #include "models/metric/metric.h"
@@ -22,7 +21,6 @@ static void check_partly_held(const struct model *model)
                                                        : "discretization.points=[5,4]";
 
     for (int n = 0; n < 2; n++) {
-        struct message why = {""};
         double start[3], x[3];
         struct motion m;
         struct run run;
@@ -34,9 +32,9 @@ static void check_partly_held(const struct model *model)
                        : points,
                    held[n][0], held[n][1]);
         motion_init(&m, run.model, &run.scene, run.state);
-        REQUIRE(motion_run(&m, NULL, NULL, true, &why) == STATUS_OK);
-        if (!CHECK(!m.death && m.frames == m.frame_count))
-            printf("%s, %s: dies at %g s\n", model->name, held[n][0], m.death_time);
+        REQUIRE(motion_run(&m, NULL, NULL, true, NULL) == STATUS_OK);
+        CHECK_SAY(!m.death && m.frames == m.frame_count, "%s, %s: dies at %g s",
+                  model->name, held[n][0], m.death_time);
         motion_clear(&m);
         scene_rest_point(&run.scene, edge, start);
         run.model->probe(run.state, 1, edge, x);
@@ -84,8 +82,7 @@ static void check_spun(const struct model *model)
         good &= CHECK_NEAR(x[2], half == 1 ? -0.5 : 0, tolerance);
         good &= CHECK_NEAR(x[1], 0.5, tolerance);
     }
-    if (!good)
-        printf("%s\n", model->name);
+    SAY_UNLESS(good, "%s", model->name);
     run_close(&run);
 }
 
@@ -151,8 +148,8 @@ static void test_carried(void)
             for (int c = 0; c < 3; c++)
                 xyz[3 * n + c] += carried[r].shift[c];
         xyz[3 * (GRID_POINTS - 1) + 1] += carried[r].corner;
-        if (!CHECK(metric_blowup(&scene, carried[r].t, xyz) == carried[r].want))
-            printf("row %zu\n", r);
+        CHECK_SAY(metric_blowup(&scene, carried[r].t, xyz) == carried[r].want, "row %zu",
+                  r);
         scene_clear(&scene);
         free(xyz);
     }

@@ -5,7 +5,6 @@
  */
 #include <float.h>
 
-#include "models/solid/solid_model.h"
 #include "models/supports.h"
 #include "tests/opened_run.h"
 
@@ -93,8 +92,7 @@ static void check_held(const struct row *row, const char *const *settings,
     bool good = CHECK_NEAR(farthest(move, by), 0, ROUND_OFF);
     line(&run, 1, move);
     good &= CHECK(farthest(move, by) > 1e-6);
-    if (!good)
-        printf("%s %s\n", row->model, row->net[0]);
+    SAY_UNLESS(good, "%s %s", row->model, row->net[0]);
     run_close(&run);
 }
 
@@ -137,13 +135,12 @@ static void check_bases(const struct row *row)
     const char *const usual[] = {PLATE, MATERIAL, LOADED, NULL};
     const char *const points[] = {PLATE, MATERIAL, LOADED, POINTS, NULL};
     const char *const neck = "supports=[{at: {u: 0, w: 0.5}, fix: xyz}]";
-    bool good = CHECK_NEAR(apart(row, "hinge", usual, points), 0, ALIKE);
 
-    good &= CHECK_NEAR(apart(row, "cloak", (const char *const[]){neck, NULL},
-                             (const char *const[]){neck, POINTS, NULL}),
-                       0, ALIKE_THIN);
-    if (!good)
-        printf("%s %s\n", row->model, row->net[0]);
+    SAY_UNLESS(CHECK_NEAR(apart(row, "hinge", usual, points), 0, ALIKE) &&
+                   CHECK_NEAR(apart(row, "cloak", (const char *const[]){neck, NULL},
+                                    (const char *const[]){neck, POINTS, NULL}),
+                              0, ALIKE_THIN),
+               "%s %s", row->model, row->net[0]);
 }
 
 /* A component alone: the rest falls. */
@@ -180,7 +177,6 @@ static void check_modes(const struct row *row, const char *basis)
         {"supports=[{at: {u: 0, w: 0.5}, fix: xyz}, {at: {u: 1, w: 0.5}, fix: z}]", 0},
         {"supports=[{at: {u: 0, w: 0.5}, fix: xyz}, {at: {u: 1}, fix: xyz}]", 0},
     };
-    struct message why = {""};
 
     for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
         const int zeros = cases[n].zeros;
@@ -189,11 +185,10 @@ static void check_modes(const struct row *row, const char *basis)
 
         open_row(&run, "hinge", row,
                  (const char *const[]){PLATE, MATERIAL, basis, cases[n].supports, NULL});
-        REQUIRE(run_modes(&run, zeros + 1, omega, &why) == STATUS_OK);
-        bool good = CHECK(omega[zeros] > 0.1);
-        good &= CHECK(!zeros || omega[zeros - 1] < FREE * omega[zeros]);
-        if (!good)
-            printf("%s %s: %g %g\n", row->model, cases[n].supports,
+        REQUIRE(run_modes(&run, zeros + 1, omega, NULL) == STATUS_OK);
+        SAY_UNLESS(CHECK(omega[zeros] > 0.1) &&
+                       CHECK(!zeros || omega[zeros - 1] < FREE * omega[zeros]),
+                   "%s %s: %g %g", row->model, cases[n].supports,
                    zeros ? omega[zeros - 1] : 0, omega[zeros]);
         run_close(&run);
     }

@@ -74,10 +74,7 @@ static void move(const struct row *row, const char *scene, double (*x)[SIDE][3])
               "pose={origin: [-0.5,-0.5,0], u: [1,0,0], v: [0,1,0]};snapshots=[]");
     set_words(&plan.settings, scene);
     set_words(&plan.settings, row->settings);
-    if (!CHECK(run_open(&run, &plan, &why) == STATUS_OK)) {
-        printf("%s: %s\n", row->model, why.text);
-        exit(1);
-    }
+    REQUIRE_SAY(run_open(&run, &plan, &why) == STATUS_OK, "%s: %s", row->model, why.text);
     opened_steps(&run, FRAMES);
     for (int i = 0; i < SIDE; i++)
         for (int j = 0; j < SIDE; j++) {

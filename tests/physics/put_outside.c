@@ -2,7 +2,6 @@
  * on them after each step (models/mechanics/integrator_printed.c): a body that is not
  * reached changes no bit; none gets in, by either face, or moves without taking the sheet
  * along; and a sheet that has landed gains no energy by it. */
-#include "models/metric/metric.h"
 #include "tests/opened_run.h"
 
 /* Sums of a few products of numbers near 1. */

@@ -190,9 +190,9 @@ int main(void)
         settings_list(&plan.settings, MOST, rows[n].settings);
         const enum status st = run_open(&run, &plan, &why);
         const bool refused = st == STATUS_INPUT || st == STATUS_UNSUPPORTED;
-        if (!CHECK(rows[n].sentence ? refused && !run.state : st == STATUS_OK) ||
-            !CHECK(!rows[n].sentence || strstr(why.text, rows[n].sentence)))
-            printf("  %s, %s: %s\n", rows[n].name, rows[n].settings[0], why.text);
+        SAY_UNLESS(CHECK(rows[n].sentence ? refused && !run.state : st == STATUS_OK) &&
+                       CHECK(!rows[n].sentence || strstr(why.text, rows[n].sentence)),
+                   "%s, %s: %s", rows[n].name, rows[n].settings[0], why.text);
         run_close(&run);
         settings_clear(&plan.settings);
     }

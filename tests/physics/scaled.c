@@ -82,10 +82,7 @@ static int move(const struct row *row, enum driven by, double unit, double *x)
 
     describe(&plan.settings, by, unit);
     set_words(&plan.settings, row->settings);
-    if (!CHECK(run_open(&run, &plan, &why) == STATUS_OK)) {
-        printf("%s: %s\n", row->model, why.text);
-        exit(1);
-    }
+    REQUIRE_SAY(run_open(&run, &plan, &why) == STATUS_OK, "%s: %s", row->model, why.text);
     for (int n = 0; n < FRAMES; n++) {
         struct model_contact c;
         opened_steps(&run, 1);
@@ -109,8 +106,7 @@ int main(void)
             CHECK(move(row, (enum driven)by, TINY, x[1]) > FRAMES / 10);
             for (int n = 0; n < 3 * GRID_POINTS; n++)
                 worst = fmax(worst, fabs(x[1][n] / (TINY * TINY) - x[0][n]));
-            if (!CHECK_NEAR(worst, 0, 0))
-                printf("%s, scene %d\n", row->model, by);
+            SAY_UNLESS(CHECK_NEAR(worst, 0, 0), "%s, scene %d", row->model, by);
         }
     return check_result();
 }

@@ -128,8 +128,7 @@ static void check_ground(const struct net *net, const struct ground *g)
         good &= !g->flat || CHECK_NEAR(xyz[0][2], xyz[1][2], ALIKE * t.scene.length);
         check_at_rest(&t, g->flat ? 1 : 1 / hypot(1, SLOPE), g->friction);
     }
-    if (!good)
-        printf("%s on %s: %s\n", net->model, g->obstacle, why.text);
+    SAY_UNLESS(good, "%s on %s: %s", net->model, g->obstacle, why.text);
     run_close(&t);
 }
 
@@ -160,8 +159,7 @@ static void check_ball(const struct net *net, bool rough)
     good &= CHECK(xyz[1][2] - xyz[0][2] > (rough ? 0.2 : 0.1) * t.scene.length);
     if (rough)
         check_at_rest(&t, 0, 0.3);
-    if (!good)
-        printf("%s on a ball: %s\n", net->model, why.text);
+    SAY_UNLESS(good, "%s on a ball: %s", net->model, why.text);
     run_close(&t);
 }
 
@@ -202,8 +200,7 @@ static void check_still(void)
         bool good = CHECK(before[2] < -0.1);
         for (int i = 0; i < 3; i++)
             good &= CHECK_NEAR(after[i], before[i], STILL);
-        if (!good)
-            printf("%s does not rest\n", rows[n].name);
+        SAY_UNLESS(good, "%s does not rest", rows[n].name);
         run_close(&t);
     }
 }

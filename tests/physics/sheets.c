@@ -100,8 +100,7 @@ static void read_sheet(struct run *run, const struct row *row, const char *dampi
               "snapshots=[];time={step: 0.005, end: 10};discretization.points=[7,6]");
     settings_set(&plan.settings, damping);
     set_words(&plan.settings, row->settings);
-    if (!CHECK(run_read(run, &plan, &why) == STATUS_OK))
-        printf("%s\n", why.text);
+    CHECK_SAY(run_read(run, &plan, &why) == STATUS_OK, "%s", why.text);
     settings_clear(&plan.settings);
 }
 
@@ -221,14 +220,13 @@ static void check_apart(const struct row *row, bool statics, double allowed)
 static void check_modes(const struct row *row)
 {
     struct run all, alone;
-    struct message why;
     double omega[SHEETS * MOST_MODES], want[MOST_MODES];
 
     open_sheets(&all, row, -1);
     open_sheets(&alone, row, 0);
     REQUIRE(row->modes <= MOST_MODES);
-    CHECK(all.model->modes(all.state, SHEETS * row->modes, omega, &why) == STATUS_OK);
-    CHECK(alone.model->modes(alone.state, row->modes, want, &why) == STATUS_OK);
+    CHECK(all.model->modes(all.state, SHEETS * row->modes, omega, NULL) == STATUS_OK);
+    CHECK(alone.model->modes(alone.state, row->modes, want, NULL) == STATUS_OK);
     for (int n = 0; n < SHEETS * row->modes; n++)
         CHECK_RELATIVE(omega[n], want[n / SHEETS], SWINGS);
     run_close(&all);
@@ -249,8 +247,7 @@ static void open_pair(struct run *run, const struct meeting *m, const char *sett
     set_words(&plan.settings, settings);
     set_words(&plan.settings, m->settings);
     set_words(&plan.settings, more);
-    if (!CHECK(run_open(run, &plan, &why) == STATUS_OK))
-        printf("%s\n", why.text);
+    CHECK_SAY(run_open(run, &plan, &why) == STATUS_OK, "%s", why.text);
     settings_clear(&plan.settings);
 }
 

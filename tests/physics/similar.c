@@ -218,16 +218,13 @@ static bool move(const struct contestant *c, const char *scene, const char *sett
 
     set_words(&plan.settings, settings);
     contestant_points(c, 6, 5, &plan.settings);
-    if (!CHECK(run_read(&run, &plan, &why) == STATUS_OK)) {
-        printf("%s: %s\n", c->name, why.text);
-        exit(1);
-    }
+    REQUIRE_SAY(run_read(&run, &plan, &why) == STATUS_OK, "%s: %s", c->name, why.text);
     settings_clear(&plan.settings);
     if (kind < KINDS)
         change(&run.scene, kind);
     const enum status st = run_build(&run, &why);
-    if (!CHECK(st == STATUS_OK || (st == STATUS_UNSUPPORTED && kind == KINDS)))
-        printf("%s: %s\n", c->name, why.text);
+    CHECK_SAY(st == STATUS_OK || (st == STATUS_UNSUPPORTED && kind == KINDS), "%s: %s",
+              c->name, why.text);
     if (st == STATUS_OK)
         opened_steps(&run, frames);
     for (int n = 0; st == STATUS_OK && n < NODES; n++) {
@@ -269,8 +266,8 @@ static void check_scene(const struct contestant *c, int scene, int kinds)
         const double off = apart(y, want) / (k >= SMALLER ? scales[k - SMALLER] : 1);
         const double far = k == MOVED ? AWAY : 1;
         const double allowed = single ? SINGLE : ROUNDINGS * DBL_EPSILON * far;
-        if (!CHECK_NEAR(off, 0, allowed))
-            printf("%s, %s, %s\n", c->name, scenes[scene].name, kind_name[k]);
+        SAY_UNLESS(CHECK_NEAR(off, 0, allowed), "%s, %s, %s", c->name, scenes[scene].name,
+                   kind_name[k]);
     }
 }
 
@@ -283,8 +280,7 @@ static void check_fall(const struct contestant *c)
 
     snprintf(twice, sizeof twice, "%s;discretization.precision=double", fall);
     REQUIRE(move(c, DROP, fall, KINDS, 2000, x) && move(c, DROP, twice, KINDS, 2000, y));
-    if (!CHECK_NEAR(apart(x, y), 0, FALLEN))
-        printf("%s falls\n", c->name);
+    SAY_UNLESS(CHECK_NEAR(apart(x, y), 0, FALLEN), "%s falls", c->name);
 }
 
 int main(int argc, char **argv)

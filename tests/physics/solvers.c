@@ -55,8 +55,8 @@ static struct counters move(const struct subject *s, const struct scene *scene,
     void *state = NULL;
 
     REQUIRE(contestant_find(s->model, &c, NULL) == STATUS_OK);
-    if (!CHECK(model_create(c->model, scene, d, &state, &why) == STATUS_OK))
-        printf("%s: %s\n", s->model, why.text);
+    CHECK_SAY(model_create(c->model, scene, d, &state, &why) == STATUS_OK, "%s: %s",
+              s->model, why.text);
     REQUIRE(state);
     for (int n = 0; n < FRAMES; n++)
         CHECK(c->model->advance(state, &work) == STATUS_OK);
@@ -78,9 +78,8 @@ static void check_way(const struct subject *s, const struct scene *scene,
     omp_set_num_threads(1);
     const struct counters work = move(s, scene, &d, xyz);
     off = opened_apart(xyz, direct) / scene->length;
-    if (!CHECK(off < SAME))
-        printf("%s %s, %s, %d: %g L\n", s->model, option_kinematics[s->kinematics],
-               option_solver[way->solver], (int)way->preconditioner, off);
+    CHECK_SAY(off < SAME, "%s %s, %s, %d: %g L", s->model, option_kinematics[s->kinematics],
+              option_solver[way->solver], (int)way->preconditioner, off);
     CHECK(!solver_iterates(way->solver) || s->kinematics == KINEMATICS_LINEAR ||
           work.solves > work.steps);
     if (way->preconditioner == PRECONDITIONER_FACTOR && way->solver == SOLVER_CG &&

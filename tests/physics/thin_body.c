@@ -46,17 +46,16 @@ static void follow(const char *scene, const char *contestant, const char *points
     struct motion m = {0};
     struct run_file *f;
     struct run_result r;
-    struct message why = {""};
     char net[64];
 
     snprintf(net, sizeof net, "discretization.points=%s", points);
     settings_set(&plan.settings, net);
     if (more)
         settings_set(&plan.settings, more);
-    REQUIRE(run_read(&run, &plan, &why) == STATUS_OK);
-    REQUIRE(run_file_follow(&plan, &run, &m, &f, &why) == STATUS_OK);
+    REQUIRE(run_read(&run, &plan, NULL) == STATUS_OK);
+    REQUIRE(run_file_follow(&plan, &run, &m, &f, NULL) == STATUS_OK);
     run.model->probe(run.state, 1, uvw, x);
-    REQUIRE(run_file_close(f, &m, &r, &why) == STATUS_OK);
+    REQUIRE(run_file_close(f, &m, &r, NULL) == STATUS_OK);
     const struct message told = r.distrust;
     printf("%-20s %s: (%.4f, %.4f, %.4f); %s\n", contestant, points, x[0], x[1], x[2],
            *told.text ? told.text : "trusted");

@@ -1,7 +1,6 @@
 /* Tests the scenes in which a sheet meets itself and bodies that it is drawn along: each
  * runs with every model that supports it, and fold to its end, without a sheet that goes
  * through itself; there the law holds the layers apart. */
-#include <math.h>
 
 #include "bench/harness/motion.h"
 #include "bench/harness/run.h"
@@ -72,26 +71,23 @@ static void check_row(const struct row *row)
     struct message why = {""};
     struct run run;
     struct motion m;
-    double *xyz = malloc(GRID_POINTS * 3 * sizeof *xyz);
+    static double xyz[3 * GRID_POINTS];
 
     snprintf(path, sizeof path, SCENES "%s.yaml", row->scene);
     settings_set(&plan.settings, "snapshots=[]");
     set_words(&plan.settings, row->settings);
-    REQUIRE(xyz);
-    if (!CHECK(run_open(&run, &plan, &why) == STATUS_OK))
-        printf("%s\n", why.text);
+    CHECK_SAY(run_open(&run, &plan, &why) == STATUS_OK, "%s", why.text);
     motion_init(&m, run.model, &run.scene, run.state);
-    if (!CHECK(motion_run(&m, NULL, NULL, true, &why) == STATUS_OK))
-        printf("%s %s: %s\n", row->scene, row->contestant, why.text);
+    CHECK_SAY(motion_run(&m, NULL, NULL, true, &why) == STATUS_OK, "%s %s: %s", row->scene,
+              row->contestant, why.text);
     model_sample(run.model, run.state, xyz);
-    if (!CHECK(metric_intersections(&run.scene, xyz) == 0))
-        printf("%s %s goes through itself\n", row->scene, row->contestant);
+    CHECK_SAY(metric_intersections(&run.scene, xyz) == 0, "%s %s goes through itself",
+              row->scene, row->contestant);
     if (row->whole)
         check_fold(&run.scene, xyz);
     motion_clear(&m);
     run_close(&run);
     settings_clear(&plan.settings);
-    free(xyz);
 }
 
 int main(void)

@@ -71,12 +71,12 @@ static void check_turned(const struct row *row, const char *supports)
     for (int n = 1; n <= STEPS; n++) {
         opened_steps(&run, 1);
         const double t = n * run.scene.step;
-        if (!CHECK_NEAR(off(&run, t, 0), 0, TOL_HELD) ||
-            !CHECK_NEAR(off(&run, t, 1), 0, TOL_HELD))
-            printf("%s, frame %d\n", row->name, n);
+        SAY_UNLESS(CHECK_NEAR(off(&run, t, 0), 0, TOL_HELD) &&
+                       CHECK_NEAR(off(&run, t, 1), 0, TOL_HELD),
+                   "%s, frame %d", row->name, n);
     }
-    if (!CHECK_NEAR(off(&run, STEPS * run.scene.step, 0.5), 0, TOL_REST))
-        printf("%s\n", row->name);
+    SAY_UNLESS(CHECK_NEAR(off(&run, STEPS * run.scene.step, 0.5), 0, TOL_REST), "%s",
+               row->name);
     run_close(&run);
 }
 

@@ -130,8 +130,7 @@ static void check_rest(void)
         CHECK(pd_energy_value(&m.energy, m.x) == 0);
         pd_net_free_fields(&m.energy.net, g);
         pd_net_free_fields(&m.energy.net, zero);
-        pd_motion_clear(&m);
-        scene_clear(&scene);
+        pd_fixture_close(&m, &scene);
     }
 }
 
@@ -322,8 +321,7 @@ static void check_paper(void)
     }
     CHECK_NEAR(mass, 1, tol_size);
     CHECK_RELATIVE(pd_energy_value(&m.energy, m.x) / (size * size), 5 * area, tol_size);
-    pd_motion_clear(&m);
-    scene_clear(&scene);
+    pd_fixture_close(&m, &scene);
 }
 
 int main(void)

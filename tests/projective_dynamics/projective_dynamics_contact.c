@@ -202,8 +202,7 @@ static void check_end(const struct variant *v, double friction)
     CHECK(touching > 3);
     CHECK_NEAR(left / most, 0, BALANCED);
     free(force);
-    pd_motion_clear(&m);
-    scene_clear(&scene);
+    pd_fixture_close(&m, &scene);
 }
 
 /* --- motions -----------------------------------------------------------------------------
@@ -226,8 +225,7 @@ static void check_held(void)
     for (int k = 0; k < 6; k++)
         CHECK_NEAR(m.x[2 * pd_net_stride(&m.energy.net) + k], -0.02, TAKEN);
     CHECK(clearance(&m) > 0);
-    pd_motion_clear(&m);
-    scene_clear(&scene);
+    pd_fixture_close(&m, &scene);
 }
 
 /* A node that would be beyond a small ball after one step stays before it, or goes round.
@@ -249,8 +247,7 @@ static void check_small_ball(const struct variant *v)
     pd_fixture_frames(&m, 1);
     node_at(&m, m.x, 4 * 8 + 3, at);
     CHECK(at[2] > from[2] || hypot(at[0] - from[0], at[1] - from[1]) > radius);
-    pd_motion_clear(&m);
-    scene_clear(&scene);
+    pd_fixture_close(&m, &scene);
 }
 
 /* Returns the least distance of the sheet from its own wall, INFINITY if it meets itself
@@ -292,8 +289,7 @@ static void check_fold(const struct variant *v)
     printf("%s folded: %.1e of the range from its own wall\n", v->name,
            least / m.contact.law.self.range);
     CHECK(least > 0 && least < INFINITY);
-    pd_motion_clear(&m);
-    scene_clear(&scene);
+    pd_fixture_close(&m, &scene);
 }
 
 /* A floor that rises at 4 m/s, two ranges of the law a step and more, lifts the sheet. */

@@ -31,8 +31,7 @@ static void check_descent(enum constraint constraint, double nu, unsigned fix)
         }
         pd_fixture_frames(&m, 1);
     }
-    pd_motion_clear(&m);
-    scene_clear(&scene);
+    pd_fixture_close(&m, &scene);
 }
 
 /* --- supports ----------------------------------------------------------------------------
@@ -81,8 +80,7 @@ static void check_supports(void)
         CHECK(m.x[2 * pd_net_stride(&m.energy.net) + k] == 0);
         CHECK(m.x[k] != m.energy.rest[k]);
     }
-    pd_motion_clear(&m);
-    scene_clear(&scene);
+    pd_fixture_close(&m, &scene);
 }
 
 /* --- acceleration ------------------------------------------------------------------------
@@ -172,8 +170,7 @@ static void check_acceleration_holds(int iterations, double young)
     }
     printf("%d accelerated iterations, E = %g: stretch %.5f\n", iterations, young, most);
     CHECK(most < MOST_STRETCH);
-    pd_motion_clear(&m);
-    scene_clear(&scene);
+    pd_fixture_close(&m, &scene);
 }
 
 int main(void)

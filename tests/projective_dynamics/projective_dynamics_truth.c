@@ -33,8 +33,7 @@ static double tip_error(const struct reference *truth, int points, int substeps)
     ptrdiff_t stride = pd_net_stride(&m.energy.net), tip = m.energy.net.nodes - 2;
     double error = hypot(m.x[tip] - reference_number(truth, row, "x1"),
                          m.x[2 * stride + tip] - reference_number(truth, row, "z1"));
-    pd_motion_clear(&m);
-    scene_clear(&scene);
+    pd_fixture_close(&m, &scene);
     return error;
 }
 

@@ -55,9 +55,8 @@ static void check_held(void)
         OPENED_RUN(&run, "cantilever", "shell_2", "discretization.points=[10,10]",
                    poses[n % 2], supports);
         run.model->size(run.state, &size);
-        if (!CHECK(size.unknowns == 300 - rows[n / 2].held))
-            printf("%s, %s: %ld unknowns\n", poses[n % 2], rows[n / 2].supports,
-                   size.unknowns);
+        CHECK_SAY(size.unknowns == 300 - rows[n / 2].held, "%s, %s: %ld unknowns",
+                  poses[n % 2], rows[n / 2].supports, size.unknowns);
         run_close(&run);
     }
 }
@@ -127,7 +126,6 @@ static void see(const struct way *way, int pose, struct seen *s)
                                         ? balls[pose]
                                         : (const char *const[]){free, free};
     const char *const support = way->kind == TURNS ? turns[pose] : body[0];
-    struct message why = {""};
     struct run run;
 
     OPENED_RUN(&run, "edge_drop", way->name, "discretization.points=[7,5]", poses[pose],
@@ -135,10 +133,10 @@ static void see(const struct way *way, int pose, struct seen *s)
                "sheet={length: 1, width: 0.6, thickness: 0.02}",
                "material={young: 2e4, poisson: 0.3, density: 4}", free, support, body[1],
                way->solver, way->by);
-    CHECK(run_modes(&run, MODES, s->omega[0], &why) == STATUS_OK);
+    CHECK(run_modes(&run, MODES, s->omega[0], NULL) == STATUS_OK);
     s->substeps = opened_steps(&run, FRAMES).substeps;
     model_sample(run.model, run.state, s->moved);
-    CHECK(run_modes(&run, MODES, s->omega[1], &why) == STATUS_OK);
+    CHECK(run_modes(&run, MODES, s->omega[1], NULL) == STATUS_OK);
     for (int n = 0; n < MODES; n++) /* about rest as well, wherever the sheet is */
         CHECK_RELATIVE(s->omega[1][n], s->omega[0][n], EXACT);
     if (way->kind >= FLOORS) {
@@ -148,7 +146,7 @@ static void see(const struct way *way, int pose, struct seen *s)
     }
     opened_settle(&run);
     model_sample(run.model, run.state, s->rest);
-    CHECK(run_modes(&run, MODES, s->omega[1], &why) == STATUS_OK);
+    CHECK(run_modes(&run, MODES, s->omega[1], NULL) == STATUS_OK);
     run_close(&run);
 }
 

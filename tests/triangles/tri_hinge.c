@@ -2,7 +2,6 @@
  * themselves. */
 #include "triangles/tri_hinge.h"
 
-#include "models/vector.h"
 #include "tests/check.h"
 
 /* Sums of some ten products. */

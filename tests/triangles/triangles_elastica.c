@@ -4,10 +4,6 @@
  */
 #include "triangles/tri_model.h"
 
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "fem_ref/reference.h"
 #include "models/pattern.h"
 #include "models/reader/pattern_file.h"
@@ -67,7 +63,6 @@ static void open_model(struct tri_motion *m, const struct scene *scene, const ch
                        int seed, int points, enum bending bending, enum tri_arc arc)
 {
     struct discretization d;
-    struct message why = {""};
     char mesh[4096];
 
     REQUIRE(!name || strlen(name) < sizeof mesh);
@@ -75,7 +70,7 @@ static void open_model(struct tri_motion *m, const struct scene *scene, const ch
     d.points[0] = d.points[1] = points;
     d.mesh = name ? strcpy(mesh, name) : NULL, d.seed = seed, d.bending = bending;
     OWN(tri_own, &d)->arc = arc;
-    REQUIRE(tri_model.init(m, scene, &d, &why) == STATUS_OK);
+    REQUIRE(tri_model.init(m, scene, &d, NULL) == STATUS_OK);
 }
 
 /* Returns by how much the first natural frequency is off: of a beam, as nu is 0. */
@@ -90,8 +85,7 @@ static double frequency_error(const char *name, int seed, int points)
     REQUIRE(m);
     fill_scene(&scene, &stiff);
     open_model(m, &scene, name, seed, points, BENDING_MIDEDGE, TRI_ARC_OFF);
-    if (!CHECK(tri_model.modes(m, 1, &omega, &why) == STATUS_OK))
-        printf("%s: %s\n", name, why.text);
+    CHECK_SAY(tri_model.modes(m, 1, &omega, &why) == STATUS_OK, "%s: %s", name, why.text);
     tri_model.clear(m);
     free(m);
     scene_clear(&scene);
@@ -112,8 +106,8 @@ static double error_on(const struct strip *strip, const char *name, int seed, in
     REQUIRE(m);
     fill_scene(&scene, strip);
     open_model(m, &scene, name, seed, points, bending, arc);
-    if (!CHECK(tri_model.equilibrium(m, &counters, &why) == STATUS_OK))
-        printf("%s: %s\n", name, why.text);
+    CHECK_SAY(tri_model.equilibrium(m, &counters, &why) == STATUS_OK, "%s: %s", name,
+              why.text);
     elastica(strip, at);
     for (int n = 0; n < SAMPLES; n++)
         for (int k = 0; k < SAMPLES; k++) {
@@ -159,8 +153,7 @@ static void check_morley(const char *name, bool own)
         REQUIRE(!scene_add_support(&scene, &foot));
     }
     open_model(m, &scene, own ? NULL : path[1], 0, 2, BENDING_MIDEDGE, TRI_ARC_OFF);
-    if (!CHECK(tri_model.equilibrium(m, &counters, &why) == STATUS_OK))
-        printf("%s\n", why.text);
+    CHECK_SAY(tri_model.equilibrium(m, &counters, &why) == STATUS_OK, "%s", why.text);
     CHECK(reference_rows(table) > 100);
     for (int n = 0; n < reference_rows(table); n++) {
         const double uvw[3] = {reference_number(table, n, "x") / size[0],

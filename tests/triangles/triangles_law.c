@@ -3,6 +3,7 @@
 #include <float.h>
 
 #include "tests/derivative_fixture.h"
+#include "tests/noise.h"
 #include "tests/opened_run.h"
 #include "triangles/tri_model.h"
 
@@ -50,12 +51,6 @@ static size_t count_of(const struct tri_motion *m)
     return 3 * (size_t)m->net.mesh.nodes;
 }
 
-/* Numbers in (-1, 1), the same on every run. */
-static double noise(size_t n)
-{
-    return 2 * fmod((double)(n + 1) * 0.6180339887498949, 1) - 1;
-}
-
 enum { MOST = 3 * 200 };
 
 /* A shape far from rest: stretched, sheared, bent by half a radian a cell. */
@@ -64,7 +59,7 @@ static void bend(const struct tri_motion *m, double *x)
     const double *rest = m->net.mesh.rest;
 
     for (size_t t = 0; t < count_of(m); t++)
-        x[t] = 1.1 * rest[t] + 0.02 * noise(t) + 0.05 * rest[t / 3 * 3 + (t + 1) % 3];
+        x[t] = 1.1 * rest[t] + 0.02 * noise((int)t) + 0.05 * rest[t / 3 * 3 + (t + 1) % 3];
 }
 
 /* derivative_fixture.h; energy and forces of a turned shape at rest against a deformed
@@ -81,7 +76,7 @@ static void check_derivatives(const char *membrane, const char *bending, bool he
         softens ? start_soft(&run) : start(&run, 6, 5, membrane, bending, 0.3, held);
     bend(m, x);
     for (size_t t = 0; t < count_of(m); t++)
-        d[t] = noise(3 * t + 1);
+        d[t] = noise((int)(3 * t + 1));
     derivative_check(&m->body.body, &m->triangles.graph, x, d, DIFFERENCE);
     if (!held) /* which clamps don't turn with */
         derivative_rigid(&m->body.body, m->net.mesh.rest, 0.3,
@@ -104,7 +99,7 @@ static void check_foresight(const char *membrane)
         double want[MOST] = {0};
         bend(m, x);
         for (size_t t = 0; t < count; t++)
-            d[t] = (k ? 1e-3 : 2e-3) * noise(3 * t + 1), x[t] -= d[t];
+            d[t] = (k ? 1e-3 : 2e-3) * noise((int)(3 * t + 1)), x[t] -= d[t];
         for (int at = -1; at <= 1; at++) {
             const double *e = b->body.strain(b, 0, 0, x, NULL);
             REQUIRE(e && b->forms_from <= MOST);

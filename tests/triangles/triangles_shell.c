@@ -4,49 +4,48 @@
  */
 #include "triangles/tri_shell.h"
 
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "models/net/spring_net.h"
 #include "tests/derivative_fixture.h"
+#include "tests/noise.h"
 
 /* Sums of some hundred rounded terms. */
 static const double ROUNDING = 1e-12;
 
-static double noise(size_t n)
-{
-    return 2 * fmod(((double)n + 1) * 0.6180339887498949, 1) - 1;
-}
-
-static void fill_scene(struct scene *scene, bool held)
-{
-    const struct scene_support edge = {.lo = {0, 0, 0}, .hi = {0, 1, 1}, .fix = FIX_XYZ};
-
-    REQUIRE(scene_init(scene) == STATUS_OK);
-    scene->length = 1.2, scene->width = 0.9, scene->thickness = 0.05;
-    scene->young = 1e4, scene->poisson = 0.3, scene->density = 2;
-    if (held)
-        REQUIRE(scene_add_support(scene, &edge) == STATUS_OK);
-}
+/* The sheet of a test. */
+static struct scene scene;
+static struct mesh mesh;
+static struct tri_shell s;
 
 static const char *const kinds[] = {"grid", "diagonal", "irregular", "irregular"};
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
-static void make(struct mesh *mesh, struct tri_shell *s, const struct scene *scene,
-                 int kind, enum membrane membrane, enum bending bending, bool arc)
+/* Opens a sheet of 1.2 m x 0.9 m, that is held along u = 0 or has a load. */
+static void open_sheet(int kind, enum membrane membrane, enum bending bending, bool arc,
+                       bool held, const struct scene_load *load)
 {
+    const struct scene_support edge = {.lo = {0, 0, 0}, .hi = {0, 1, 1}, .fix = FIX_XYZ};
     char name[16];
-    struct message why = {""};
     struct discretization d = {
         .points = {6, 5, 1}, .mesh = strcpy(name, kinds[kind]), .seed = kind};
 
+    REQUIRE(scene_init(&scene) == STATUS_OK);
+    scene.length = 1.2, scene.width = 0.9, scene.thickness = 0.05;
+    scene.young = 1e4, scene.poisson = 0.3, scene.density = 2;
+    REQUIRE(!held || scene_add_support(&scene, &edge) == STATUS_OK);
+    REQUIRE(!load || scene_add_load(&scene, load) == STATUS_OK);
     d.refine = kind == 3;
     const enum mesh_edges at_edges = bending == BENDING_MIDEDGE     ? MESH_TURNS
                                      : bending == BENDING_QUADRATIC ? MESH_SLOPES
                                                                     : MESH_NO_NODES;
-    REQUIRE(mesh_make(mesh, scene, &d, at_edges, &why) == STATUS_OK);
-    REQUIRE(tri_shell_init(s, scene, mesh, membrane, bending, arc) == STATUS_OK);
+    REQUIRE(mesh_make(&mesh, &scene, &d, at_edges, NULL) == STATUS_OK);
+    REQUIRE(tri_shell_init(&s, &scene, &mesh, membrane, bending, arc) == STATUS_OK);
+}
+
+static void close_sheet(void)
+{
+    tri_shell_clear(&s);
+    mesh_clear(&mesh);
+    scene_clear(&scene);
 }
 
 /* Derivatives at a shape far from rest, and turned. */
@@ -54,12 +53,8 @@ static void test_derivatives(int kind, enum membrane membrane, enum bending bend
                              bool arc, bool held)
 {
     const double DIFFERENCE = 2e-8, ENERGY = 1e-22, FORCE = 1e-10;
-    struct scene scene;
-    struct mesh mesh;
-    struct tri_shell s;
 
-    fill_scene(&scene, held);
-    make(&mesh, &s, &scene, kind, membrane, bending, arc);
+    open_sheet(kind, membrane, bending, arc, held, NULL);
     const size_t count = 3 * (size_t)mesh.nodes;
     double *x = malloc(2 * count * sizeof *x), *d = x + count;
     REQUIRE(x);
@@ -67,10 +62,10 @@ static void test_derivatives(int kind, enum membrane membrane, enum bending bend
         const bool unknown = t < 3 * (size_t)mesh.vertices ||
                              (t % 3 == 0 && mesh.uvw[t / 3][2] == SUPPORTS_ONE) ||
                              mesh.uvw[t / 3][2] == SUPPORTS_THREE;
-        x[t] = unknown ? 1.1 * mesh.rest[t] + 0.02 * noise(t) +
+        x[t] = unknown ? 1.1 * mesh.rest[t] + 0.02 * noise((int)t) +
                              0.05 * mesh.rest[t / 3 * 3 + (t + 1) % 3]
                        : mesh.rest[t];
-        d[t] = unknown ? noise(3 * t + 1) : 0;
+        d[t] = unknown ? noise((int)(3 * t + 1)) : 0;
     }
     derivative_check(&s.body, &s.graph, x, d, DIFFERENCE);
     if (!held) {
@@ -88,9 +83,7 @@ static void test_derivatives(int kind, enum membrane membrane, enum bending bend
         free(turned);
     }
     free(x);
-    tri_shell_clear(&s);
-    mesh_clear(&mesh);
-    scene_clear(&scene);
+    close_sheet();
 }
 
 /* Returns the height's slope along a direction n at p, for curvatures k. */
@@ -103,18 +96,17 @@ static double slope(const double k[3], const double p[2], const double n[2])
 /* Gives a mesh the heights -(k11 u^2 + k22 v^2 + 2 k12 u v) / 2, and edges on the rim turns
  * that lean as the heights do at their middles: outward by less slope than that of the
  * triangle, which is the heights' at the mean of its points' mean and the edge's side. */
-static void curve(const struct mesh *mesh, const struct tri_shell *s, const double k[3],
-                  double small, double *x)
+static void curve(const double k[3], double small, double *x)
 {
-    for (int a = 0; a < mesh->vertices; a++) {
-        const double *r = mesh->rest + 3 * a;
+    for (int a = 0; a < mesh.vertices; a++) {
+        const double *r = mesh.rest + 3 * a;
         x[3 * a + 2] -=
             small / 2 * (k[0] * r[0] * r[0] + k[1] * r[1] * r[1] + k[2] * r[0] * r[1]);
     }
-    for (int e = 0; e < mesh->edges; e++) {
-        const int *v = mesh->edge[e].node;
-        const double *a = mesh->flat.at[v[0]], *b = mesh->flat.at[v[1]],
-                     *c = mesh->flat.at[v[2]];
+    for (int e = 0; e < mesh.edges; e++) {
+        const int *v = mesh.edge[e].node;
+        const double *a = mesh.flat.at[v[0]], *b = mesh.flat.at[v[1]],
+                     *c = mesh.flat.at[v[2]];
         const double l = hypot(b[0] - a[0], b[1] - a[1]);
         const double n[2] = {(b[1] - a[1]) / l, (a[0] - b[0]) / l};
         const double middle[2] = {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2};
@@ -127,8 +119,7 @@ static void curve(const struct mesh *mesh, const struct tri_shell *s, const doub
         const double forth = (p[0] * (b[0] - a[0]) + p[1] * (b[1] - a[1])) / l;
         const double out = p[0] * n[0] + p[1] * n[1];
         const double plane = (z[3 * v[2]] - z[3 * v[0]] - along * forth) / out;
-        x[3 * (mesh->vertices + e)] =
-            -s->mesh->scale * (small * slope(k, middle, n) - plane);
+        x[3 * (mesh.vertices + e)] = -mesh.scale * (small * slope(k, middle, n) - plane);
     }
 }
 
@@ -138,12 +129,8 @@ static void test_homogeneous(int kind)
 {
     static const double small = 1e-5, TOL = 1e-4; /* the next order, 10 small */
     static const double shape[4][3] = {{1, 0, 0}, {0, 1, 0}, {0.3, -0.2, 1}, {1, 1, 0.5}};
-    struct scene scene;
-    struct mesh mesh;
-    struct tri_shell s;
 
-    fill_scene(&scene, false);
-    make(&mesh, &s, &scene, kind, MEMBRANE_GREEN, BENDING_MIDEDGE, false);
+    open_sheet(kind, MEMBRANE_GREEN, BENDING_MIDEDGE, false, false, NULL);
     const struct law law = scene_law(&scene);
     const double area = scene.length * scene.width;
     const size_t count = 3 * (size_t)mesh.nodes;
@@ -163,7 +150,7 @@ static void test_homogeneous(int kind)
         CHECK_RELATIVE(tri_shell_energy(&s, x) / (small * small),
                        area / 2 * derivative_dot(3, stress, e), TOL);
         memcpy(x, mesh.rest, count * sizeof *x);
-        curve(&mesh, &s, e, small, x);
+        curve(e, small, x);
         CHECK(large_body_tangent(&s.body, &large_path_statics, x,
                                  (struct large_foresight){0}, K) == STATUS_OK);
         for (int sweep = 0; sweep < 500; sweep++) {
@@ -179,9 +166,7 @@ static void test_homogeneous(int kind)
     }
     free(x);
     free(K);
-    tri_shell_clear(&s);
-    mesh_clear(&mesh);
-    scene_clear(&scene);
+    close_sheet();
 }
 
 /* Loads over areas, along lines inside and on the rim, and at points have the moments that
@@ -197,14 +182,9 @@ static void test_loads(int kind)
 
     for (size_t n = 0; n < sizeof loads / sizeof *loads; n++) {
         const struct scene_load *l = &loads[n];
-        struct scene scene;
-        struct mesh mesh;
-        struct tri_shell s;
         double *f, sum[3] = {0};
 
-        fill_scene(&scene, false);
-        REQUIRE(scene_add_load(&scene, l) == STATUS_OK);
-        make(&mesh, &s, &scene, kind, MEMBRANE_GREEN, BENDING_HINGE, false);
+        open_sheet(kind, MEMBRANE_GREEN, BENDING_HINGE, false, false, l);
         REQUIRE(mesh_loads(&mesh, &scene, &f) == STATUS_OK && f);
         for (int a = 0; a < mesh.vertices; a++) {
             const double size = f[3 * a] + f[3 * a + 1] + f[3 * a + 2];
@@ -216,22 +196,16 @@ static void test_loads(int kind)
         CHECK_NEAR(sum[1], force * (l->lo[0] + l->hi[0]) / 2, NEAR);
         CHECK_NEAR(sum[2], force * (l->lo[1] + l->hi[1]) / 2, NEAR);
         free(f);
-        tri_shell_clear(&s);
-        mesh_clear(&mesh);
-        scene_clear(&scene);
+        close_sheet();
     }
 }
 
 /* The points' parts are the sheet; Euler's number is a disc's; what is found is there. */
 static void test_mesh(int kind)
 {
-    struct scene scene;
-    struct mesh mesh;
-    struct tri_shell s;
     double area = 0, w[3];
 
-    fill_scene(&scene, true);
-    make(&mesh, &s, &scene, kind, MEMBRANE_GREEN, BENDING_HINGE, false);
+    open_sheet(kind, MEMBRANE_GREEN, BENDING_HINGE, false, true, NULL);
     for (int a = 0; a < mesh.nodes; a++)
         area += mesh.area[a];
     CHECK_RELATIVE(area, scene.length * scene.width, ROUNDING);
@@ -245,9 +219,7 @@ static void test_mesh(int kind)
                            w[2] * mesh.uvw[v[2]][i],
                        uv[i], ROUNDING);
     }
-    tri_shell_clear(&s);
-    mesh_clear(&mesh);
-    scene_clear(&scene);
+    close_sheet();
 }
 
 /* Springs that stretch evenly are what edges sum
@@ -255,13 +227,9 @@ static void test_mesh(int kind)
  * along u and v, and twice that of the diagonal, times its square, over their area. */
 static void test_even(int kind)
 {
-    struct scene scene;
-    struct mesh mesh;
-    struct tri_shell s;
     double even[LAW_ENTRIES];
 
-    fill_scene(&scene, false);
-    make(&mesh, &s, &scene, kind, MEMBRANE_SPRINGS, BENDING_HINGE, false);
+    open_sheet(kind, MEMBRANE_SPRINGS, BENDING_HINGE, false, false, NULL);
     spring_net_even(&mesh, &scene, even);
     const double a = scene.length / 5, b = scene.width / 4, l = hypot(a, b);
     const double each = 2 * sqrt(3) / 4 * scene.young * scene.thickness / (a * b);
@@ -273,23 +241,17 @@ static void test_even(int kind)
         CHECK_RELATIVE(fabs(even[LAW_13]), each * l * l * cut[0] * cut[2], ROUNDING);
     }
     CHECK_RELATIVE(even[LAW_12], even[LAW_33], ROUNDING); /* Cauchy's relation */
-    tri_shell_clear(&s);
-    mesh_clear(&mesh);
-    scene_clear(&scene);
+    close_sheet();
 }
 
 /* Contact sees a mesh at its points and triangles; the points share the area of the sheet.
  */
 static void test_contact(int kind)
 {
-    struct scene scene;
-    struct mesh mesh;
-    struct tri_shell s;
     struct contact_surface c;
     double area = 0;
 
-    fill_scene(&scene, true);
-    make(&mesh, &s, &scene, kind, MEMBRANE_GREEN, BENDING_HINGE, false);
+    open_sheet(kind, MEMBRANE_GREEN, BENDING_HINGE, false, true, NULL);
     REQUIRE(mesh_contact(&mesh, &scene, &c) == STATUS_OK);
     CHECK(!c.smooth && c.count == mesh.vertices && c.mesh.count == mesh.flat.triangles);
     for (int n = 0; n < c.count; n++) {
@@ -302,9 +264,7 @@ static void test_contact(int kind)
         area += c.area[n];
     CHECK_RELATIVE(area, scene.length * scene.width, ROUNDING);
     contact_surface_clear(&c);
-    tri_shell_clear(&s);
-    mesh_clear(&mesh);
-    scene_clear(&scene);
+    close_sheet();
 }
 
 int main(void)

@@ -6,13 +6,9 @@
 #include "models/net/net.h"
 #include "models/vector.h"
 #include "tests/check.h"
+#include "tests/noise.h"
 
 enum { POINTS = 50 }; /* 2500, of four to nine colours: each has more than 400 */
-
-static double noise(int n)
-{
-    return 2 * fmod((n + 1) * 0.6180339887498949, 1) - 1;
-}
 
 /* Moves are those of a sweep from x to y. */
 static void check_moves(const struct vb_body *b, const struct vb_step *s, const double *x,
@@ -77,13 +73,12 @@ int main(void)
     const struct scene_support held = {.hi = {0, 1, 1}, .fix = FIX_XYZ};
     const struct discretization d = {.model = &model, .points = {POINTS, POINTS, 1}};
     struct scene scene;
-    struct message why = {{0}};
     struct net net;
 
     REQUIRE(scene_init(&scene) == STATUS_OK);
     REQUIRE(scene_add_support(&scene, &held) == STATUS_OK);
     scene.length = scene.width = 1, scene.thickness = 1e-3, scene.young = 1e5;
-    REQUIRE(net_init(&net, &scene, &d, &why) == STATUS_OK);
+    REQUIRE(net_init(&net, &scene, &d, NULL) == STATUS_OK);
     check_sweep(&scene, &net, false);
     check_sweep(&scene, &net, true);
     net_clear(&net);

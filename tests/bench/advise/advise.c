@@ -2,13 +2,10 @@
  * whether fast enough, what is said of the others; each way round. */
 #include "bench/advise/advise.h"
 
-#include <ctype.h>
-
 #include "models/grid.h"
 #include "tests/fresh.h"
-#include "tests/check.h"
-
-enum { TEXT = 1 << 16 };
+#include "tests/said.h"
+#include "tests/text.h"
 
 static struct {
     struct compare_job job;
@@ -56,26 +53,16 @@ static struct contest_row *add(const char *name, int side, double seconds, doubl
     return row;
 }
 
+/* As printed; without layout, if it is for people. Stays until the next call. */
 static char *printed(const struct advise_search *s, enum table_format format)
 {
-    static char text[TEXT];
-    FILE *file = tmpfile();
+    static struct said said;
 
-    REQUIRE(file);
-    struct printer p = {format, file, s->job->folder};
+    said_clear(&said);
+    struct printer p = {format, said_open(&said), s->job->folder};
     CHECK(advise_print(s, &p, NULL) == STATUS_OK && printer_close(&p) == STATUS_OK);
-    rewind(file);
-    text[fread(text, 1, TEXT - 1, file)] = '\0';
-    fclose(file);
-    char *to = text;
-    for (const char *c = text; format == TABLE_TEXT && *c; c++)
-        if (!isspace(*c)) /* lines are wrapped anywhere, columns as wide as need be */
-            *to++ = *c;
-        else if (to > text && to[-1] != ' ')
-            *to++ = ' ';
-    if (format == TABLE_TEXT)
-        *to = '\0';
-    return text;
+    said_text(&said);
+    return format == TABLE_TEXT ? text_squeeze(said.text) : said.text;
 }
 
 /* `b` stands after `a`, and both do. */
@@ -104,8 +91,7 @@ static void ranking(const char *folder)
     const char *at = printed(&s, TABLE_CSV);
     for (int n = 0; n < 4; n++) {
         const char *row = strstr(at, rows[n]);
-        if (!CHECK(row))
-            printf("  '%s' is not in\n%s\n", rows[n], at);
+        CHECK_SAY(row, "'%s' is not in\n%s", rows[n], at);
         at = row ? row : at;
     }
     world.job.found = NULL;

@@ -8,7 +8,9 @@
 #include "bench/claims/statements.h"
 #include "models/metric/metric.h"
 #include "models/metric/metric_rest.h"
+#include "tests/said.h"
 #include "tests/study_fixture.h"
+#include "tests/text.h"
 
 /* A change sets a quantity, a measure of the run, or one of these, at the last time unless
  * "at" is among its labels. */
@@ -203,9 +205,9 @@ static void check_each_turned(const struct turns *t)
             if (claim_of(t->plan, t->turn[n].quote) == c)
                 seen[t->turn[n].want] = true;
         const bool both = seen[VERDICT_HOLDS] && seen[VERDICT_FAILS];
-        if (!CHECK(both ||
-                   (seen[VERDICT_OPEN] && !seen[VERDICT_HOLDS] && !seen[VERDICT_FAILS])))
-            printf("  %s: \"%s\" is not turned both ways\n", t->plan, c->quote);
+        CHECK_SAY(both ||
+                      (seen[VERDICT_OPEN] && !seen[VERDICT_HOLDS] && !seen[VERDICT_FAILS]),
+                  "%s: \"%s\" is not turned both ways", t->plan, c->quote);
     }
 }
 
@@ -230,9 +232,9 @@ static void check_plan(const struct turns *t)
         apply(&made, turn->change, turn->changes);
         const struct claim *c = claim_of(t->plan, turn->quote);
         const struct judge_told told = claim_judge(c, &made.r, &arena);
-        if (!CHECK(told.turn == turn->want) || !CHECK(!turn->turns || *told.turns))
-            printf("  %s, turn %d, %s: verdict %d, wanted %d: %s %s\n", t->plan, n,
-                   turn->quote, told.turn, turn->want, told.here, told.turns);
+        SAY_UNLESS(CHECK(told.turn == turn->want) && CHECK(!turn->turns || *told.turns),
+                   "%s, turn %d, %s: verdict %d, wanted %d: %s %s", t->plan, n, turn->quote,
+                   told.turn, turn->want, told.here, told.turns);
     }
     check_each_turned(t);
     arena_clear(&arena);
@@ -320,15 +322,15 @@ static void judges_quick_runs(void)
 
     for (int n = 0; n < 2; n++) {
         struct study_made made;
-        struct study_printed p;
+        struct said p;
         study_make(&made, plan[n]);
         study_fill(&made);
         made.r.quick = true;
         REQUIRE(claim_tell(&made.r,
-                           &(struct printer){TABLE_TEXT, study_print_to(&p), study_folder},
-                           NULL, NULL) == STATUS_OK);
-        char *text = study_squeeze(study_printed_text(&p));
-        study_wants(text, n ? "solver suffices" : "force is gone");
+                           &(struct printer){TABLE_TEXT, said_open(&p), study_folder}, NULL,
+                           NULL) == STATUS_OK);
+        char *text = text_squeeze(said_text(&p));
+        CHECK_HAS(text, n ? "solver suffices" : "force is gone");
         CHECK((strstr(text, "not judged: quick") == NULL) == (n == 1));
         free(text);
         study_unmake(&made);
@@ -350,33 +352,29 @@ static void add_statements(struct statements *s, const char *plan)
 static void tells_all_statements(void)
 {
     struct statements s = {.count = 0};
-    struct study_printed p;
+    struct said p;
 
     add_statements(&s, "table3");
     add_statements(&s, "plasticity");
     add_statements(&s, "timestep");
-    CHECK(statements_print(&s, &(struct printer){TABLE_TEXT, study_print_to(&p)}, NULL) ==
+    CHECK(statements_print(&s, &(struct printer){TABLE_TEXT, said_open(&p)}, NULL) ==
           STATUS_OK);
-    char *text = study_squeeze(study_printed_text(&p));
+    char *text = text_squeeze(said_text(&p));
     const char *first = strstr(text, "- 3.2: "), *second = strstr(text, "- 4.1: "),
                *third = strstr(text, "- 4.3, Table 3: ");
     CHECK(first && second && third && first < second && second < third);
     CHECK(!strstr(text, "The printed sheet is viscous"));
-    int of[2] = {0};
-    for (const char *at = text; (at = strstr(at, ": holds. ")); at++)
-        of[0]++;
-    for (const char *at = text; (at = strstr(at, ": does not hold. ")); at++)
-        of[1]++;
+    const int of[] = {text_count(text, ": holds. "), text_count(text, ": does not hold. ")};
     char count[64];
     snprintf(count, sizeof count, "Of the 5 statements %d hold, %d do not,", of[0], of[1]);
     CHECK(of[0] != of[1]); /* so that exchanged numbers are seen */
-    study_wants(text, count);
+    CHECK_HAS(text, count);
     free(text);
-    CHECK(statements_print(&s, &(struct printer){TABLE_CSV, study_print_to(&p)}, NULL) ==
+    CHECK(statements_print(&s, &(struct printer){TABLE_CSV, said_open(&p)}, NULL) ==
           STATUS_OK);
-    text = study_printed_text(&p);
-    study_wants(text, "source,claim,reading,verdict,sentence,turns,ours");
-    study_wants(text, "\n4.1,");
+    text = said_text(&p);
+    CHECK_HAS(text, "source,claim,reading,verdict,sentence,turns,ours");
+    CHECK_HAS(text, "\n4.1,");
     free(text);
     arena_clear(&s.arena);
 }

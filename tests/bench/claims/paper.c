@@ -67,8 +67,8 @@ static void read_second(struct cells *c)
     struct reference *r = NULL;
     struct message why = {""};
 
-    if (!CHECK(reference_open(REFERENCE_DIR "/paper_tables.csv", &r, &why) == STATUS_OK))
-        printf("%s\n", why.text);
+    CHECK_SAY(reference_open(REFERENCE_DIR "/paper_tables.csv", &r, &why) == STATUS_OK,
+              "%s", why.text);
     REQUIRE(r);
     for (int n = 0; n < reference_rows(r); n++) {
         const char *column = reference_text(r, n, "column");
@@ -86,9 +86,7 @@ static void open_plan(const char *path, struct plan *plan)
 {
     struct message why = {""};
 
-    if (plan_read(path, plan, &why) != STATUS_OK)
-        printf("%s\n", why.text);
-    REQUIRE(plan->name);
+    REQUIRE_SAY(plan_read(path, plan, &why) == STATUS_OK, "%s", why.text);
 }
 
 static void scene_of(const struct plan *plan, const struct plan_study *s,

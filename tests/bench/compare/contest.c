@@ -4,6 +4,7 @@
 #include "models/reader/csv.h"
 #include "tests/contest_fixture.h"
 #include "tests/fresh.h"
+#include "tests/said.h"
 
 static const double TOL_SUM = 1e-12; /* rms of 60000 equal numbers                       */
 
@@ -151,27 +152,21 @@ static void check_cells(const struct csv_table *t, int row, const char *cells)
         const int column = csv_column(t, cell);
         REQUIRE(column >= 0 && row < t->rows);
         const double number = strtod(text, &end);
-        if (!CHECK(*text && !*end
-                       ? fabs(csv_number(t, row, column) - number) <= TOL_SUM * number
-                       : !strcmp(csv_words(t, row, column), text)))
-            printf("  row %d, %s: %s, not %s\n", row, cell, csv_words(t, row, column),
-                   text);
+        CHECK_SAY(*text && !*end
+                      ? fabs(csv_number(t, row, column) - number) <= TOL_SUM * number
+                      : !strcmp(csv_words(t, row, column), text),
+                  "row %d, %s: %s, not %s", row, cell, csv_words(t, row, column), text);
     }
 }
 
 static char *print(const struct contest *c, const char *folder)
 {
-    char *text = NULL;
-    size_t size;
-    FILE *file = open_memstream(&text, &size);
+    struct said said;
+    struct printer p = {TABLE_TEXT, said_open(&said), folder};
     struct message why = {""};
 
-    REQUIRE(file);
-    if (!CHECK(compare_print(c, &(struct printer){TABLE_TEXT, file, folder}, &why) ==
-               STATUS_OK))
-        printf("  %s\n", why.text);
-    fclose(file);
-    return text;
+    CHECK_SAY(compare_print(c, &p, &why) == STATUS_OK, "%s", why.text);
+    return said_text(&said);
 }
 
 static void tables(const char *folder)

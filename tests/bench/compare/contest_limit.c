@@ -79,8 +79,8 @@ static void limit(void)
         const int axis = (int)l.kind - CONTEST_BY_NET;
         const bool is_axis = axis >= 0 && axis < CONTEST_AXES;
         const long gain = is_axis ? lround(100 * l.gain[axis]) : 0;
-        if (!CHECK(l.kind == t->kind && gain == t->gain))
-            printf("  case %zu: kind %d, %ld %%\n", n, l.kind, gain);
+        CHECK_SAY(l.kind == t->kind && gain == t->gain, "case %zu: kind %d, %ld %%", n,
+                  l.kind, gain);
         unmake(&c);
     }
 }
@@ -121,11 +121,11 @@ static void probes(void)
         c.rows[0].result.work.steps = p->substeps ? 10 : 0;
         c.rows[0].result.work.substeps = p->substeps;
         const bool some = contest_probe(&c, &c.rows[0], p->axis, &at);
-        if (!CHECK(some == (p->next[0] > 0) &&
-                   (!some || !memcmp(at.size, p->next, sizeof at.size)) &&
-                   at.contestant == named("projective_dynamics")))
-            printf("  probe %d: %dx%d/%d/%d\n", n, at.size[0], at.size[1], at.size[2],
-                   at.size[3]);
+        CHECK_SAY(some == (p->next[0] > 0) &&
+                      (!some || !memcmp(at.size, p->next, sizeof at.size)) &&
+                      at.contestant == named("projective_dynamics"),
+                  "probe %d: %dx%d/%d/%d", n, at.size[0], at.size[1], at.size[2],
+                  at.size[3]);
         unmake(&c);
     }
 }
@@ -172,9 +172,8 @@ static void moved(void)
         const struct contest_at to = contest_moved(&c, &at, CONTEST_NET, all[n].to);
         CHECK(to.contestant == at.contestant && to.size[CONTEST_NET] == all[n].to);
         CHECK(to.size[CONTEST_STEP] == 4 && to.size[CONTEST_ITERATIONS] == 7);
-        if (!CHECK(to.size[CONTEST_ACROSS] == all[n].then))
-            printf("  %dx%d to %d: %d across\n", all[n].net, all[n].across, all[n].to,
-                   to.size[CONTEST_ACROSS]);
+        CHECK_SAY(to.size[CONTEST_ACROSS] == all[n].then, "%dx%d to %d: %d across",
+                  all[n].net, all[n].across, all[n].to, to.size[CONTEST_ACROSS]);
         for (enum contest_axis axis = CONTEST_ACROSS; axis < CONTEST_AXES; axis++) {
             const struct contest_at one = contest_moved(&c, &at, axis, 99);
             for (enum contest_axis k = 0; k < CONTEST_AXES; k++)
@@ -223,10 +222,9 @@ static void supported(void)
         const struct scene scene = {
             .length = 1, .width = all[n].width, .support_count = 1, .supports = &support};
         const struct contest c = {.scene = &scene};
-        if (!CHECK(contest_fit(&c, named(all[n].who), CONTEST_NET, all[n].side) ==
-                   all[n].fit))
-            printf("row %d: %d\n", n,
-                   contest_fit(&c, named(all[n].who), CONTEST_NET, all[n].side));
+        CHECK_SAY(
+            contest_fit(&c, named(all[n].who), CONTEST_NET, all[n].side) == all[n].fit,
+            "row %d: %d", n, contest_fit(&c, named(all[n].who), CONTEST_NET, all[n].side));
     }
 }
 

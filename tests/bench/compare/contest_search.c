@@ -2,7 +2,6 @@
  * ends, finds for each target what is as cheap as any to a tenth of a net and a factor of
  * two, tries nothing twice, nothing dear, gives up where nothing helps, and keeps to a
  * budget. */
-#include <math.h>
 
 #include "bench/compare/contest.h"
 #include "bench/harness/timing.h"
@@ -159,9 +158,9 @@ static void is_least(const struct rule *r, const struct contest_row *found, doub
             continue;
         const struct contest_at at = contest_moved(&world.contest, &found->at, axis, less);
         const int *n = at.size;
-        if (!CHECK(error_of(r, n) > target || seconds_of(r, n) > LONGEST))
-            printf("  %s, target %g: %dx%d/%d/%d would do\n", r->who, target, n[0], n[1],
-                   n[2], n[3]);
+        CHECK_SAY(error_of(r, n) > target || seconds_of(r, n) > LONGEST,
+                  "%s, target %g: %dx%d/%d/%d would do", r->who, target, n[0], n[1], n[2],
+                  n[3]);
     }
 }
 
@@ -178,11 +177,11 @@ static void searches(const struct rule *r)
             contest_cheapest(c, named(r->who), contest_target[t]);
         const double least = least_seconds(r, contest_target[t]);
         const bool dear = !(least * WASTE <= LONGEST); /* the ladder may have it, or not */
-        if (!CHECK(found && !(dear && found->seconds > LONGEST)
-                       ? found->seconds <= WASTE * least
-                       : dear || r->bar > contest_target[t]))
-            printf("  %s, target %g: %g s, the least is %g s\n", r->who, contest_target[t],
-                   found ? found->seconds : NAN, least);
+        CHECK_SAY(found && !(dear && found->seconds > LONGEST)
+                      ? found->seconds <= WASTE * least
+                      : dear || r->bar > contest_target[t],
+                  "%s, target %g: %g s, the least is %g s", r->who, contest_target[t],
+                  found ? found->seconds : NAN, least);
         if (found)
             is_least(r, found, contest_target[t]);
     }

@@ -2,10 +2,9 @@
  * wins it and by how much over another model, and where each stands in the tables. */
 #include "bench/compare/league.h"
 
-#include <math.h>
-
 #include "tests/fresh.h"
 #include "tests/run_fixture.h"
+#include "tests/said.h"
 
 static void targets(void)
 {
@@ -75,30 +74,17 @@ static void make(struct world *w, const struct scene_of *s)
 
 static char *print(const char *folder, enum table_format format)
 {
-    char *text = NULL;
-    size_t size;
-    FILE *file = open_memstream(&text, &size);
-    struct message why = {""};
+    struct said said;
+    struct printer p = {format, said_open(&said), folder};
 
-    REQUIRE(file);
-    struct printer p = {format, file, folder};
-    CHECK(league_print(SCENES_OF, contests, &p, &why) == STATUS_OK);
+    CHECK(league_print(SCENES_OF, contests, &p, NULL) == STATUS_OK);
     CHECK(printer_close(&p) == STATUS_OK);
-    fclose(file);
-    return text;
-}
-
-static void has(const char *text, const char *line)
-{
-    if (!CHECK(strstr(text, line)))
-        printf("  '%s' is not in\n%s\n", line, text);
+    return said_text(&said);
 }
 
 int main(int argc, char **argv)
 {
-    struct message why = {""};
-
-    REQUIRE(argc == 2 && folder_make(argv[1], &why) == STATUS_OK);
+    REQUIRE(argc == 2 && folder_make(argv[1], NULL) == STATUS_OK);
     targets();
     for (int n = 0; n < SCENES_OF; n++) {
         make(&worlds[n], &scenes[n]);
@@ -110,7 +96,7 @@ int main(int argc, char **argv)
         "vague: IGA, selective, nonlinear, p = 3, and no other", "blunt cannot be decided",
         "far: nobody", "unknown cannot be decided"};
     for (int n = 0; n < LENGTH(rows); n++)
-        has(text, rows[n]);
+        CHECK_HAS(text, rows[n]);
     free(text);
 
     text = print(argv[1], TABLE_CSV);
@@ -124,7 +110,7 @@ int main(int argc, char **argv)
         "0.021000000000000001,12,10,4,,4000,0\n",
         "blunt,shell_3,shell,1,0.050000000000000003,,,,,,,,,1\n"};
     for (int n = 0; n < LENGTH(cells); n++)
-        has(text, cells[n]);
+        CHECK_HAS(text, cells[n]);
     CHECK(!strstr(text, "near,iga_paper")); /* it did not enter */
     free(text);
     for (int n = 0; n < SCENES_OF; n++)

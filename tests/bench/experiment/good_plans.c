@@ -101,9 +101,9 @@ static void check_values(void)
 
     REQUIRE(plan.settings.count == 6);
     for (int n = 0; n < 6; n++)
-        if (!CHECK(!strcmp(plan.settings.list[n].key, want[n].key) &&
-                   !strcmp(plan.settings.list[n].value, want[n].value)))
-            printf("  %s is %s\n", plan.settings.list[n].key, plan.settings.list[n].value);
+        CHECK_SAY(!strcmp(plan.settings.list[n].key, want[n].key) &&
+                      !strcmp(plan.settings.list[n].value, want[n].value),
+                  "%s is %s", plan.settings.list[n].key, plan.settings.list[n].value);
     plan_clear(&plan);
 }
 

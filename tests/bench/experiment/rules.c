@@ -114,8 +114,7 @@ static void test_verdicts(void)
             fine =
                 fine && rules_lacks(&rules, v, labels[i]) == !!strstr(j->lacks, labels[i]);
         }
-        if (!CHECK(fine))
-            printf("  row %zu: '%s', want '%s'\n", n, text, j->text);
+        CHECK_SAY(fine, "row %zu: '%s', want '%s'", n, text, j->text);
     }
 }
 
@@ -196,16 +195,16 @@ static const enum verdict both[][3] = {{VERDICT_HOLDS, VERDICT_HOLDS, VERDICT_HO
 static void turns(void)
 {
     for (size_t n = 0; n < COUNT(orders); n++)
-        if (!CHECK(judge_order(orders[n].count, orders[n].value, orders[n].sign,
-                               orders[n].bar) == orders[n].turn))
-            printf("order %zu\n", n);
+        CHECK_SAY(judge_order(orders[n].count, orders[n].value, orders[n].sign,
+                              orders[n].bar) == orders[n].turn,
+                  "order %zu", n);
     for (size_t n = 0; n < COUNT(bounds); n++)
-        if (!CHECK(judge_below(bounds[n].value, bounds[n].bound) == bounds[n].turn))
-            printf("bound %zu\n", n);
+        CHECK_SAY(judge_below(bounds[n].value, bounds[n].bound) == bounds[n].turn,
+                  "bound %zu", n);
     for (size_t n = 0; n < COUNT(both); n++)
-        if (!CHECK(judge_both(both[n][0], both[n][1]) == both[n][2]) ||
-            !CHECK(judge_both(both[n][1], both[n][0]) == both[n][2]))
-            printf("both %zu\n", n);
+        SAY_UNLESS(CHECK(judge_both(both[n][0], both[n][1]) == both[n][2]) &&
+                       CHECK(judge_both(both[n][1], both[n][0]) == both[n][2]),
+                   "both %zu", n);
     CHECK(judge_most(1, 2) == 2 && judge_most(2, 1) == 2);
     CHECK(isnan(judge_most(NAN, 1)) && isnan(judge_most(1, NAN)));
 }

@@ -1,14 +1,11 @@
 /* The engine of studies: plans with levels, differences, errors, orders and metrics from
  * result files, levels that die or are refused, truth found again. */
-#include "bench/experiment/judge.h"
 #include "bench/experiment/study.h"
 #include "bench/experiment/plan.h"
 
-#include "bench/files/folder.h"
 #include "bench/files/store.h"
 #include "models/grid.h"
 #include "models/metric/metric.h"
-#include "models/reader/scene_file.h"
 #include "tests/fresh.h"
 #include "tests/plan_fixture.h"
 
@@ -29,26 +26,24 @@ static struct plan plan_there(const char *name, const char *text)
     return plan_of(path, text);
 }
 
-static double *field(const char *name, int frame)
+static void field(const char *name, int frame, double *xyz)
 {
     struct store_read *file = NULL;
-    double *xyz = malloc(3 * GRID_POINTS * sizeof *xyz);
     char path[4096];
 
     snprintf(path, sizeof path, "%s/%s.h5", folder, name);
-    REQUIRE(xyz && store_read_open(path, &file, NULL) == STATUS_OK);
+    REQUIRE(store_read_open(path, &file, NULL) == STATUS_OK);
     REQUIRE(store_read_frame(file, frame, xyz, NULL) == STATUS_OK);
     store_read_close(file);
-    return xyz;
 }
 
 static double rmse(const char *a, const char *b, int frame)
 {
-    double *x = field(a, frame), *y = field(b, frame), value = metric_rmse(x, y);
+    static double x[3 * GRID_POINTS], y[3 * GRID_POINTS];
 
-    free(x);
-    free(y);
-    return value;
+    field(a, frame, x);
+    field(b, frame, y);
+    return metric_rmse(x, y);
 }
 
 /* A study by its name; NULL: there is none. */
@@ -70,10 +65,7 @@ static void measure(const struct plan *plan)
     const struct measurement_options options = {.quick = true};
     struct message why = {""};
 
-    if (!CHECK(study_measure(plan, folder, &options, &why) == STATUS_OK)) {
-        printf("%s\n", why.text);
-        exit(1);
-    }
+    REQUIRE_SAY(study_measure(plan, folder, &options, &why) == STATUS_OK, "%s", why.text);
 }
 
 /* A plate so light that the truth is Kirchhoff's; the shell converges to it. */
@@ -91,10 +83,9 @@ static void against_truth(void)
 {
     struct plan plan = plan_there("light", light);
     struct study_results all;
-    struct message why = {""};
 
     measure(&plan);
-    REQUIRE(study_read(&plan, folder, &all, &why) == STATUS_OK);
+    REQUIRE(study_read(&plan, folder, &all, NULL) == STATUS_OK);
     const struct study *s = study_of(&all, "light");
     REQUIRE(s && all.count == 1 && !study_of(&all, "heavy"));
     CHECK(s->length == 1 && s->gamma < TRUTH_GAMMA);

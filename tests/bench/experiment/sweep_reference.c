@@ -113,10 +113,11 @@ static void check_errors(void)
     for (int n = 0; n < CASES; n++) {
         const double is = csv_number_of(csv.table, n, "reference_error_max");
         const double want = cases[n].error;
-        if (!CHECK(!strcmp(csv_words_of(csv.table, n, "labels"), cases[n].label)) ||
-            !CHECK(isfinite(want) ? fabs(is - want) < TOL_DOUBLE
-                                  : isnan(is) == isnan(want) && isinf(is) == isinf(want)))
-            printf("  case %d: %s, %g\n", n, csv_words_of(csv.table, n, "labels"), is);
+        SAY_UNLESS(CHECK(!strcmp(csv_words_of(csv.table, n, "labels"), cases[n].label)) &&
+                       CHECK(isfinite(want)
+                                 ? fabs(is - want) < TOL_DOUBLE
+                                 : isnan(is) == isnan(want) && isinf(is) == isinf(want)),
+                   "case %d: %s, %g", n, csv_words_of(csv.table, n, "labels"), is);
     }
     csv_clear(&csv);
     study_clear(&d);

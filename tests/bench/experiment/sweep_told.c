@@ -6,6 +6,7 @@
 #include "bench/experiment/sweep.h"
 #include "tests/fresh.h"
 #include "tests/plan_fixture.h"
+#include "tests/said.h"
 
 /* Reads a plan and makes the rows of its only study, empty. */
 static struct study_results begin(const char *text, struct plan *plan)
@@ -23,12 +24,6 @@ static struct study_results begin(const char *text, struct plan *plan)
 }
 
 static const struct printer files = {.folder = "."};
-
-static void holds(const char *what, const char *text, const char *part)
-{
-    if (!CHECK(strstr(text, part)))
-        printf("  %s: no '%s' in\n%s", what, part, text);
-}
 
 /* The only table of a file. */
 static const struct csv_table *read_table(const char *name, struct csv *csv)
@@ -102,18 +97,16 @@ static void check_counts(const struct study_results *d)
                                         "not judged", "died",     "unsupported",
                                         "no result",  "run again"};
     static const int count[] = {1, 1, 0, 1, 1, 1, 1, 3};
-    char *text = NULL, line[64];
-    size_t size;
-    FILE *memory = open_memstream(&text, &size);
+    struct said said;
+    char line[64];
 
-    REQUIRE(memory);
-    sweep_print(d, memory);
-    REQUIRE(fclose(memory) == 0);
+    sweep_print(d, said_open(&said));
+    said_close(&said, true);
     for (int n = 0; n < 8; n++) {
         snprintf(line, sizeof line, "\n  %-24s%6d", label[n], count[n]);
-        holds("counts", text, line);
+        said_has(&said, "counts", line);
     }
-    free(text);
+    said_clear(&said);
 }
 
 static void check_table(void)

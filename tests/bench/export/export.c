@@ -17,9 +17,9 @@ static void export_into(size_t folder, const char *scene, const char *const *set
     snprintf(name, sizeof name, "%zu", folder);
     for (; *settings; settings++)
         argv[argc++] = "--set", argv[argc++] = (char *)(uintptr_t)*settings;
-    if (!CHECK(command_parse(&export_command, argc, argv, &line, &why) == STATUS_OK &&
-               export_command.run(&line, &why) == STATUS_OK))
-        printf("%s: %s\n", scene, why.text);
+    CHECK_SAY(command_parse(&export_command, argc, argv, &line, &why) == STATUS_OK &&
+                  export_command.run(&line, &why) == STATUS_OK,
+              "%s: %s", scene, why.text);
     command_line_clear(&line);
 }
 
@@ -63,7 +63,6 @@ static const struct {
 /* Read again it has the physics that its truth has, to the last bit, and the times. */
 static void scenes_come_back(void)
 {
-
     for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
         char path[32], *first = NULL, *text[2];
         struct scene s[2] = {0};
@@ -76,8 +75,8 @@ static void scenes_come_back(void)
         REQUIRE(contestant_read_scene(&none, path, &s[1], NULL) == STATUS_OK);
         for (int k = 0; k < 2; k++)
             REQUIRE(truth_physics(&s[k], &text[k]) == STATUS_OK);
-        if (!CHECK(!strcmp(text[0], text[1])))
-            printf("%s\n%s\nis\n%s\n", cases[n].name, text[0], text[1]);
+        CHECK_SAY(!strcmp(text[0], text[1]), "%s\n%s\nis\n%s", cases[n].name, text[0],
+                  text[1]);
         CHECK(s[0].step == s[1].step && s[0].end == s[1].end);
         CHECK(!strcmp(s[0].name, s[1].name) && !strcmp(s[0].source, s[1].source));
         if (CHECK(s[0].snapshot_count == s[1].snapshot_count) && s[0].snapshot_count)

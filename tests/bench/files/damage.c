@@ -2,7 +2,6 @@
  * in a sentence: 2,000 stored truths and 2,000 runs, with a fixed seed. None is believed,
  * none crashes what reads it.
  */
-#include <math.h>
 
 #include "bench/files/hdf5_file.h"
 #include "bench/files/seal.h"
@@ -11,6 +10,7 @@
 #include "bench/truth/truth.h"
 #include "models/reader/scene_file.h"
 #include "tests/scratch.h"
+#include "tests/text.h"
 
 enum { DAMAGES = 2000 };
 
@@ -35,14 +35,6 @@ static unsigned char *read_all(const char *path, long *size)
     REQUIRE(bytes && fread(bytes, 1, (size_t)*size, file) == (size_t)*size);
     fclose(file);
     return bytes;
-}
-
-static void write_all(const char *path, const unsigned char *bytes, long size)
-{
-    FILE *file = fopen(path, "wb");
-
-    REQUIRE(file && fwrite(bytes, 1, (size_t)size, file) == (size_t)size);
-    REQUIRE(fclose(file) == 0);
 }
 
 /* Damages bytes[size], whose room is larger by 16; returns the new size. Every other time
@@ -81,7 +73,7 @@ static void try_all(const char *good, const char *bad,
     CHECK(read(good, &why) == STATUS_OK);
     for (int n = 0; n < DAMAGES; n++) {
         memcpy(copy, bytes, (size_t)size);
-        write_all(bad, copy, damage(copy, size));
+        text_put(bad, copy, (size_t)damage(copy, size));
         why.text[0] = '\0';
         const enum status st = read(bad, &why);
         refused += st == STATUS_INPUT;
@@ -227,15 +219,15 @@ static void made_on_purpose(const char *good, const char *bad, size_t count,
 
     for (size_t n = 0; n < count; n++) {
         struct message why = {""};
-        write_all(bad, bytes, size);
+        text_put(bad, bytes, (size_t)size);
         hid_t file = H5Fopen(bad, H5F_ACC_RDWR, H5P_DEFAULT);
         REQUIRE(file >= 0);
         put(file, &with[n], (hsize_t)size - 2000);
         REQUIRE(H5Fclose(file) >= 0 && seal_write(bad, NULL) == STATUS_OK);
         CHECK(read_run(bad, &why) != STATUS_OK);
-        if (!CHECK(!strncmp(why.text, bad, strlen(bad)) && !strchr(why.text, '\n') &&
-                   strstr(why.text, with[n].part)))
-            printf("  %s, %s, said: %s\n", with[n].name, with[n].part, why.text);
+        CHECK_SAY(!strncmp(why.text, bad, strlen(bad)) && !strchr(why.text, '\n') &&
+                      strstr(why.text, with[n].part),
+                  "%s, %s, said: %s", with[n].name, with[n].part, why.text);
     }
     free(bytes);
 }

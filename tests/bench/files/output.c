@@ -11,6 +11,7 @@
 #include "bench/files/atomic_file.h"
 #include "bench/files/folder.h"
 #include "tests/scratch.h"
+#include "tests/text.h"
 
 /* A child ended by a signal in the middle of a file takes the file with it; a file of the
  * parent's stays. */
@@ -55,8 +56,7 @@ static void test_link(void)
     struct message why;
     struct stat info;
 
-    FILE *file = fopen(scratch_path("real.txt"), "w");
-    REQUIRE(file && fclose(file) == 0);
+    text_write(scratch_path("real.txt"), "");
     REQUIRE(symlink("real.txt", scratch_path("link.txt")) == 0);
     REQUIRE(output_create(scratch_path("link.txt"), &out, &why) == STATUS_OK);
     CHECK(scratch_files(scratch) == 3); /* aside, until it is whole */

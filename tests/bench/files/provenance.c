@@ -38,8 +38,8 @@ int main(void)
                 {"blas_kernel", blas_kernel_name()}};
     for (size_t n = 0; n < sizeof want / sizeof *want; n++) {
         const char *value = provenance_value(&p, want[n].key);
-        if (!CHECK(value && !strcmp(value, want[n].value)))
-            printf("  %s: %s\n", want[n].key, value ? value : "none");
+        CHECK_SAY(value && !strcmp(value, want[n].value), "%s: %s", want[n].key,
+                  value ? value : "none");
     }
     for (size_t n = 0; n < sizeof keys / sizeof *keys; n++) {
         const char *value = provenance_value(&p, keys[n]);

@@ -16,6 +16,7 @@
 #include "models/grid.h"
 #include "tests/fresh.h"
 #include "tests/scratch.h"
+#include "tests/text.h"
 
 enum { FRAMES = 3, COUNT = 3 * GRID_POINTS };
 
@@ -113,8 +114,7 @@ static void check_array(struct store_read *file, const char *name, int rows, int
 {
     double *value = NULL;
     int r = 0, c = 0;
-    struct message why = {""};
-    CHECK(store_read_array(file, name, &value, &r, &c, &why) == STATUS_OK);
+    CHECK(store_read_array(file, name, &value, &r, &c, NULL) == STATUS_OK);
     if (CHECK(r == rows && c == columns))
         for (int i = 0; i < r * c; i++)
             CHECK(value[i] == want[i] || (isnan(value[i]) && isnan(want[i])));
@@ -226,9 +226,10 @@ static void test_round_trip(const struct fixture *f)
     struct message why = {""};
     struct store_read *file = NULL;
     const char *path = scratch_path("run.h5");
-    double *xyz = malloc(COUNT * sizeof *xyz), number = 0;
+    static double xyz[COUNT];
+    double number = 0;
 
-    REQUIRE(xyz && write_run(f, path, &why) == STATUS_OK);
+    REQUIRE(write_run(f, path, &why) == STATUS_OK);
     CHECK(scratch_files(scratch) == 2); /* run.h5, run.xdmf */
     REQUIRE(store_read_open(path, &file, &why) == STATUS_OK);
     REQUIRE(store_read_frames(file) == FRAMES);
@@ -251,7 +252,6 @@ static void test_round_trip(const struct fixture *f)
           STATUS_INPUT);
     CHECK(store_read_number(file, "none", &number, &why) == STATUS_INPUT);
     store_read_close(file);
-    free(xyz);
 }
 
 /* 32-bit floats are rounded once, so within half a unit of the 24th bit. */
@@ -259,17 +259,16 @@ static void test_round_trip(const struct fixture *f)
 
 static void test_single(struct fixture *f)
 {
-    struct message why = {""};
     struct store_read *file = NULL;
     static double xyz[COUNT];
     double largest = 0;
 
     f->run.single = f->run.packed = true;
-    REQUIRE(write_run(f, scratch_path("run.h5"), &why) == STATUS_OK); /* replaces */
+    REQUIRE(write_run(f, scratch_path("run.h5"), NULL) == STATUS_OK); /* replaces */
     f->run.single = f->run.packed = false;
     CHECK(scratch_files(scratch) == 2);
-    REQUIRE(store_read_open(scratch_path("run.h5"), &file, &why) == STATUS_OK);
-    CHECK(store_read_frame(file, 2, xyz, &why) == STATUS_OK);
+    REQUIRE(store_read_open(scratch_path("run.h5"), &file, NULL) == STATUS_OK);
+    CHECK(store_read_frame(file, 2, xyz, NULL) == STATUS_OK);
     for (int n = 0; n < COUNT; n++)
         largest = fmax(largest, fabs(xyz[n] - f->xyz[2 * COUNT + n]));
     CHECK(largest > 0);
@@ -280,28 +279,27 @@ static void test_single(struct fixture *f)
 /* Frames as numbers alone, one with its field, none. */
 static void test_without_fields(const struct fixture *f)
 {
-    struct message why = {""};
     const char *path = scratch_path("few.h5");
     static double xyz[COUNT];
 
     for (int kept = 0; kept < 2; kept++) {
         struct store *store = NULL;
         struct store_read *file = NULL;
-        REQUIRE(store_create(path, &f->run, &store, &why) == STATUS_OK);
+        REQUIRE(store_create(path, &f->run, &store, NULL) == STATUS_OK);
         for (int n = 0; n < FRAMES; n++)
             CHECK(store_frame(store, 0.1 * n, kept && n == 1 ? f->xyz + n * COUNT : NULL,
-                              NULL, NULL, &why) == STATUS_OK);
-        CHECK(store_text(store, "note", "a note", &why) == STATUS_OK);
-        CHECK(store_close(store, &why) == STATUS_OK);
+                              NULL, NULL, NULL) == STATUS_OK);
+        CHECK(store_text(store, "note", "a note", NULL) == STATUS_OK);
+        CHECK(store_close(store, NULL) == STATUS_OK);
         CHECK(scratch_files(scratch) ==
               3 + kept); /* XDMF only where there is something to see */
-        REQUIRE(store_read_open(path, &file, &why) == STATUS_OK);
+        REQUIRE(store_read_open(path, &file, NULL) == STATUS_OK);
         CHECK(store_read_frames(file) == kept);
         check_array(file, "time", FRAMES, 1, (double[]){0.0, 0.1, 0.2});
         check_array(file, "xyz_time", kept, 1, (double[]){0.1});
         check_text(file, "/", "note", "a note");
         if (kept) {
-            CHECK(store_read_frame(file, 0, xyz, &why) == STATUS_OK);
+            CHECK(store_read_frame(file, 0, xyz, NULL) == STATUS_OK);
             CHECK(!memcmp(xyz, f->xyz + COUNT, COUNT * sizeof *xyz));
         }
         store_read_close(file);
@@ -318,9 +316,8 @@ static void test_reading_what_is_none(void)
     } row[] = {{scratch_path("text.h5"), STATUS_INPUT},
                {scratch_path("absent.h5"), STATUS_FILE},
                {scratch, STATUS_FILE}};
-    FILE *text = fopen(row[0].path, "w");
 
-    REQUIRE(text && fputs("not HDF5", text) >= 0 && fclose(text) == 0);
+    text_write(row[0].path, "not HDF5");
     for (int n = 0; n < 3; n++) {
         struct store_read *file = NULL;
         struct message why = {""};
@@ -350,14 +347,14 @@ static void test_xdmf(void)
         REQUIRE(xdmf_write(want[k].result, 1, &no_surface, time, FRAMES, NULL) ==
                 STATUS_OK);
         char *text = fresh_text(".", want[k].path);
-        CHECK(fresh_count(text, "<Grid ") == 1 + FRAMES);
-        CHECK(fresh_count(text, "</Grid>") == 1 + FRAMES);
-        CHECK(fresh_count(text, "Dimensions=\"2 100 100\"") == FRAMES);
+        CHECK(text_count(text, "<Grid ") == 1 + FRAMES);
+        CHECK(text_count(text, "</Grid>") == 1 + FRAMES);
+        CHECK(text_count(text, "Dimensions=\"2 100 100\"") == FRAMES);
         for (int n = 0; n < FRAMES; n++) {
             snprintf(part, sizeof part, "<Time Value=\"%.17g\"/>", time[n]);
-            CHECK(fresh_count(text, part) == 1);
+            CHECK(text_count(text, part) == 1);
             snprintf(part, sizeof part, ">%s:/frame/%d</DataItem>", want[k].name, n);
-            CHECK(fresh_count(text, part) == (n ? 1 : 1 + FRAMES));
+            CHECK(text_count(text, part) == (n ? 1 : 1 + FRAMES));
         }
         free(text);
         CHECK(unlink(want[k].path) == 0);
@@ -372,12 +369,12 @@ static void test_xdmf_sheets(void)
 
     REQUIRE(xdmf_write("sheets.h5", SHEETS, &no_surface, time, FRAMES, NULL) == STATUS_OK);
     char *text = fresh_text(".", "sheets.xdmf");
-    CHECK(fresh_count(text, "<Grid ") == 1 + FRAMES * (1 + SHEETS));
-    CHECK(fresh_count(text, "</Grid>") == 1 + FRAMES * (1 + SHEETS));
-    CHECK(fresh_count(text, "\"3DSMesh\" Dimensions=\"2 100 33\"") == 2 * FRAMES);
-    CHECK(fresh_count(text, "\"3DSMesh\" Dimensions=\"2 100 34\"") == FRAMES);
-    CHECK(fresh_count(text, ">0 0 33 0 1 1 1 1 2 100 33 3<") == 2 * FRAMES);
-    CHECK(fresh_count(text, ">0 0 66 0 1 1 1 1 2 100 34 3<") == 2 * FRAMES);
+    CHECK(text_count(text, "<Grid ") == 1 + FRAMES * (1 + SHEETS));
+    CHECK(text_count(text, "</Grid>") == 1 + FRAMES * (1 + SHEETS));
+    CHECK(text_count(text, "\"3DSMesh\" Dimensions=\"2 100 33\"") == 2 * FRAMES);
+    CHECK(text_count(text, "\"3DSMesh\" Dimensions=\"2 100 34\"") == FRAMES);
+    CHECK(text_count(text, ">0 0 33 0 1 1 1 1 2 100 33 3<") == 2 * FRAMES);
+    CHECK(text_count(text, ">0 0 66 0 1 1 1 1 2 100 34 3<") == 2 * FRAMES);
     free(text);
     CHECK(unlink("sheets.xdmf") == 0);
 }
@@ -402,8 +399,7 @@ static void refused(const struct fixture *f, const char *path, const char *part)
         CHECK(output_close(&out, &why[2]) == STATUS_FILE);
     }
     for (int n = 0; n < 3; n++)
-        if (!CHECK(is_sentence(&why[n], part)))
-            printf("  %s: '%s'\n", path, why[n].text);
+        CHECK_SAY(is_sentence(&why[n], part), "%s: '%s'", path, why[n].text);
 }
 
 static void test_bad_targets(const struct fixture *f)

@@ -89,11 +89,11 @@ static void come_back(void)
     for (size_t n = 0; n < sizeof row / sizeof *row; n++) {
         struct message why = {""};
         int same;
-        if (!CHECK(read_all(row[n].path, row[n].dt, row[n].rest, !row[n].without_uv, &same,
-                            &why) == STATUS_OK &&
-                   same == TIMES &&
-                   (!row[n].triangles || triangles_of(row[n].path) == row[n].triangles)))
-            printf("%s: %d frames, %s\n", row[n].path, same, why.text);
+        CHECK_SAY(read_all(row[n].path, row[n].dt, row[n].rest, !row[n].without_uv, &same,
+                           &why) == STATUS_OK &&
+                      same == TIMES &&
+                      (!row[n].triangles || triangles_of(row[n].path) == row[n].triangles),
+                  "%s: %d frames, %s", row[n].path, same, why.text);
     }
 }
 

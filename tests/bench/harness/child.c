@@ -204,13 +204,13 @@ static void check_ends(void)
         struct child c;
         start(&c, ends[n].work, ends[n].context);
         const struct child_end end = end_of(&c);
-        if (!CHECK(end.outcome == ends[n].outcome && end.overdue == ends[n].overdue &&
-                   !*end.why.text ==
-                       (end.outcome == CHILD_DONE || end.outcome == CHILD_ASKED) &&
-                   (end.reached == ends[n].reached ||
-                    (isnan(end.reached) && isnan(ends[n].reached)))))
-            printf("  row %zu: outcome %d, reached %g, '%s'\n", n, end.outcome, end.reached,
-                   end.why.text);
+        CHECK_SAY(end.outcome == ends[n].outcome && end.overdue == ends[n].overdue &&
+                      !*end.why.text ==
+                          (end.outcome == CHILD_DONE || end.outcome == CHILD_ASKED) &&
+                      (end.reached == ends[n].reached ||
+                       (isnan(end.reached) && isnan(ends[n].reached))),
+                  "row %zu: outcome %d, reached %g, '%s'", n, end.outcome, end.reached,
+                  end.why.text);
         CHECK(!end.overdue ||
               (end.seconds >= SPINS * limit && end.seconds <= clock_now() - before));
         CHECK(scratch_files(scratch) == 0);

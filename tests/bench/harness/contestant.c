@@ -15,8 +15,8 @@ static void test_names(void)
             CHECK(islower(*at) || isdigit(*at) || *at == '_');
         CHECK(named(c->name) == c); /* no other of this name stands before it */
         for (const struct contestant *o = contestant_table; o < c; o++) {
-            if (!CHECK(strcmp(o->title, c->title) && strcmp(o->column, c->column)))
-                printf("  %s and %s look the same in tables\n", o->name, c->name);
+            CHECK_SAY(strcmp(o->title, c->title) && strcmp(o->column, c->column),
+                      "%s and %s look the same in tables", o->name, c->name);
         }
         CHECK(strlen(c->column) <= 16 && *c->title);
         CHECK(!strncmp(c->name, c->model->name, strlen(c->model->name)));
@@ -45,8 +45,8 @@ static int open_row(const struct contestant *c, const char *setting, struct run 
 
     contestant_points(c, points, points, &s);
     settings_set(&s, setting);
-    if (!CHECK(run_open(run, &(struct case_plan){DROP, c, s, 0}, &why) == STATUS_OK))
-        printf("  %s: %s\n", c->name, why.text);
+    CHECK_SAY(run_open(run, &(struct case_plan){DROP, c, s, 0}, &why) == STATUS_OK,
+              "%s: %s", c->name, why.text);
     settings_clear(&s);
     return points;
 }
@@ -87,10 +87,8 @@ static void two_frames(const struct contestant *c, const char *setting, double *
  * of another name, end and source that is the same for all else it does the same. */
 static void test_no_scene_is_known(void)
 {
-    double *here = malloc(3 * GRID_POINTS * sizeof *here);
-    double *there = malloc(3 * GRID_POINTS * sizeof *there);
+    static double here[3 * GRID_POINTS], there[3 * GRID_POINTS];
 
-    REQUIRE(here && there);
     for (const struct contestant *c = contestant_table; c->name; c++) {
         for (int n = 0; n < CONTESTANT_SETTINGS && c->settings[n]; n++)
             CHECK(!strncmp(c->settings[n], "discretization.", 15));
@@ -98,11 +96,9 @@ static void test_no_scene_is_known(void)
             continue;
         two_frames(c, "name=edge_drop", here);
         two_frames(c, "name=corners_patch", there);
-        if (!CHECK(!memcmp(here, there, 3 * GRID_POINTS * sizeof *here)))
-            printf("  %s knows the scene by its name\n", c->name);
+        CHECK_SAY(!memcmp(here, there, sizeof here), "%s knows the scene by its name",
+                  c->name);
     }
-    free(here);
-    free(there);
 }
 
 static int chosen(const char *choice, unsigned where)

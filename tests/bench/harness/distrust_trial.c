@@ -6,11 +6,9 @@
  * distrust.c and warnings.c were chosen on runs of the first seed, and of 8 to 12, 2026,
  * 2027, 4001 to 4004, 5001 to 5004, and of 6001 and 6002 for solvers of few iterations
  * alone; the second half was held out, as 9102 to 9106 were, and is what counts. */
-#include <string.h>
 
 #include "bench/harness/run_file.h"
 #include "bench/truth/truth.h"
-#include "models/grid.h"
 #include "models/metric/metric.h"
 #include "models/metric/metric_rest.h"
 #include "models/reader/scene_file.h"

@@ -57,8 +57,7 @@ static void reduce(enum status outcome)
         value[n] = -77; /* nothing is left as it was */
     looks_reduce(&looks, &sheet, outcome, outcome ? 0.35 : NAN, NULL, value);
     for (int n = 0; n < MEASURES; n++)
-        if (!CHECK(value[n] != -77))
-            printf("  %s is not there\n", measure_name(n));
+        CHECK_SAY(value[n] != -77, "%s is not there", measure_name(n));
 }
 
 /* The metric that a series is of. */
@@ -125,16 +124,14 @@ static void test_moving(void)
     struct scene_obstacle plane = {.kind = OBSTACLE_PLANE,
                                    .normal = {0, 0, 1},
                                    .motion = {.path_count = 2, .path = path}};
-    double *xyz = calloc(3 * GRID_POINTS, sizeof *xyz);
+    static double xyz[3 * GRID_POINTS];
 
     begin();
-    REQUIRE(xyz);
     sheet.obstacles = &plane, looks.count = 0;
     looks_add(&looks, &sheet, 0, xyz, NAN);
     looks_add(&looks, &sheet, 0.5, xyz, NAN);
     CHECK(looks.series[LOOKS_PENETRATION][0] == 0);
     CHECK(looks.series[LOOKS_PENETRATION][1] == 0.25);
-    free(xyz);
     end();
 }
 
@@ -204,10 +201,9 @@ static void test_crossing(void)
 static void test_recount(void)
 {
     static const double fold[4][2] = {{51.5, 0}, {51.5, 1}, {50, 1}, {50, -1}};
-    double *xyz = calloc(3 * GRID_POINTS, sizeof *xyz);
+    static double xyz[3 * GRID_POINTS];
 
     begin();
-    REQUIRE(xyz);
     for (int n = 0; n < GRID_POINTS; n++) {
         const int i = n / GRID_V % GRID_U, j = n % GRID_V;
         const bool folded = i >= 50 && i < 54;
@@ -223,7 +219,6 @@ static void test_recount(void)
         CHECK(counted ? found > 0 && found == metric_intersections(&sheet, xyz)
                       : isnan(found));
     }
-    free(xyz);
     end();
 }
 
@@ -344,9 +339,8 @@ static void test_flight(void)
 {
     struct settings s = LIST("time.end=0.02"); /* four frames */
     struct scene scene;
-    struct message why = {""};
 
-    REQUIRE(contestant_read_scene(&s, DROP, &scene, &why) == STATUS_OK);
+    REQUIRE(contestant_read_scene(&s, DROP, &scene, NULL) == STATUS_OK);
     leaver.scene = &scene;
     for (int n = 0; n < 12; n++) {
         leaver.u = n & 1, leaver.v = n >> 1 & 1, leaver.axis = n >> 2;
@@ -397,8 +391,8 @@ static void test_advice(void)
         if (!strstr(why.text, "integrator=leapfrog"))
             continue;
         named_explicit++;
-        if (!CHECK(has_explicit(model, &scene)))
-            printf("  %s has no explicit steps there\n", model->name);
+        CHECK_SAY(has_explicit(model, &scene), "%s has no explicit steps there",
+                  model->name);
     }
     CHECK(named_explicit == 3 && models > named_explicit); /* shell, springs, triangles */
     scene_clear(&scene);

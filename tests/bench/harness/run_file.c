@@ -34,8 +34,7 @@ static void read_back(bool fields, struct run_result *r)
 {
     struct message why = {""};
 
-    if (!CHECK(run_result_read(file, fields, r, &why) == STATUS_OK))
-        printf("  %s\n", why.text), exit(1);
+    REQUIRE_SAY(run_result_read(file, fields, r, &why) == STATUS_OK, "%s", why.text);
 }
 
 /* Writes a run and reads it back: the numbers are those that the run itself gave. */
@@ -47,8 +46,7 @@ static void write_run(const struct case_plan *plan, const struct run_keep *keep,
     struct case_plan c = *plan;
 
     c.keep = *keep;
-    if (!CHECK(run_file_write(&c, r, &why) == STATUS_OK))
-        printf("  %s\n", why.text);
+    CHECK_SAY(run_file_write(&c, r, &why) == STATUS_OK, "%s", why.text);
     if (!keep->file)
         return;
     read_back(true, &back);
@@ -74,9 +72,8 @@ static void test_same_bits(void)
     struct run_keep keep = {
         .every = 7, .times = 1, .time = time, .intersections = true, .doubles = true};
     struct run_result first, other, back;
-    double *seen = malloc(FIELD * sizeof *seen);
+    static double seen[FIELD];
 
-    REQUIRE(seen);
     write_run(&plan, &keep, &first);
     write_run(&plan, &keep, &other);
     CHECK(same(&first, &other) && first.steps == 40 && first.step_seconds > 0);
@@ -104,7 +101,6 @@ static void test_same_bits(void)
         }
         run_result_clear(&back);
     }
-    free(seen);
     settings_clear(&plan.settings);
 }
 
@@ -445,7 +441,6 @@ static enum status read_with(int count, const struct array *arrays, const char *
     H5Fclose(id);
     REQUIRE(seal_write(file, NULL) == STATUS_OK);
     *r = (struct run_result){0};
-    why->text[0] = '\0';
     return run_result_read(file, true, r, why);
 }
 
@@ -462,9 +457,8 @@ static void test_seconds(void)
     static const struct array rest[] = {{"seconds/advance", 0, 0, {0}},
                                         {"seconds/equilibrium", 2, 1, {5, 9}}};
     struct run_result r;
-    struct message why;
 
-    REQUIRE(read_with(LENGTH(arrays), arrays, NULL, NULL, &r, &why) == STATUS_OK);
+    REQUIRE(read_with(LENGTH(arrays), arrays, NULL, NULL, &r, NULL) == STATUS_OK);
     CHECK(r.create.count == 3 && r.create.min == 0.25 && r.create.median == 0.5);
     CHECK(r.create.max == 1 && r.create_seconds == 0.25);
     CHECK(r.step.count == 2 && r.step.min == 2 && r.step.max == 6 && r.step.median == 4);
@@ -472,7 +466,7 @@ static void test_seconds(void)
     for (int p = 0; p < RUN_RESULT_PHASES; p++)
         CHECK(r.phase[p].count == 2 + (p == 2) && r.phase[p].min == 10 + p);
     run_result_clear(&r);
-    REQUIRE(read_with(LENGTH(rest), rest, NULL, NULL, &r, &why) == STATUS_OK);
+    REQUIRE(read_with(LENGTH(rest), rest, NULL, NULL, &r, NULL) == STATUS_OK);
     CHECK(r.step.count == 2 && r.step.min == 5 && r.step.max == 9);
     CHECK(r.steps == 0 && r.step_seconds == 0 && r.phase[0].count == 0);
     run_result_clear(&r);
@@ -499,14 +493,13 @@ static void test_series(void)
     struct energy energy[5];
     double drift[5];
     struct run_result r;
-    struct message why;
 
     for (int count = 0; count < 2; count++) {
-        REQUIRE(read_with(count, arrays, NULL, NULL, &r, &why) == STATUS_OK);
+        REQUIRE(read_with(count, arrays, NULL, NULL, &r, NULL) == STATUS_OK);
         CHECK(isnan(r.value[MEASURE_TRUTH_ERROR_MAX]));
         run_result_clear(&r);
     }
-    REQUIRE(read_with(LENGTH(arrays), arrays, NULL, NULL, &r, &why) == STATUS_OK);
+    REQUIRE(read_with(LENGTH(arrays), arrays, NULL, NULL, &r, NULL) == STATUS_OK);
     CHECK(r.value[MEASURE_TRUTH_ERROR_MAX] == 0.5);
     CHECK(r.value[MEASURE_TRUTH_ERROR_END] == 0.25);
     CHECK(r.value[MEASURE_TRUTH_BAR_END] == 0.0625);
@@ -538,9 +531,9 @@ static void test_misfits(void)
                 {{"none", 0, 0, {0}}, "outcome", "bad input"},
                 {{"none", 0, 0, {0}}, "scene", NULL}};
     struct run_result r;
-    struct message why;
 
     for (int n = 0; n < LENGTH(want); n++) {
+        struct message why = {""};
         CHECK(read_with(1, &want[n].array, want[n].key, want[n].text, &r, &why) ==
               STATUS_INPUT);
         CHECK(strstr(why.text, file));

@@ -47,8 +47,7 @@ static void test_bits(void)
     for (size_t n = 0; n < sizeof value / sizeof *value; n++) {
         settings_number(&s, "material.young", value[n]);
         settings_numbers(&s, "gravity", 3, (const double[]){0, value[n], -value[n]});
-        if (!CHECK(read(&s, &scene, &d, &why) == STATUS_OK))
-            printf("  %s\n", why.text), exit(1);
+        REQUIRE_SAY(read(&s, &scene, &d, &why) == STATUS_OK, "%s", why.text);
         CHECK(scene.young == value[n]);
         CHECK(scene.gravity[1] == value[n] && scene.gravity[2] == -value[n]);
         scene_clear(&scene);

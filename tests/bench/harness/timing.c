@@ -186,16 +186,15 @@ static void test_measurement(void)
                               0.1,
                               .keep = {.file = path},
                               .timed = want[n].timed};
-        struct message why = {""};
         script_reset();
         script.escapes = 10;
-        REQUIRE(measurement_run(&(struct measurement_options){0}, 1, &c, &why) ==
+        REQUIRE(measurement_run(&(struct measurement_options){0}, 1, &c, NULL) ==
                 STATUS_OK);
         check_seconds(path, want[n].repeats, want[n].columns);
         /* what is not timed is followed in another process */
         CHECK(script_advances == (want[n].repeats == 9 ? 10 + 9 * 9 : 0));
         struct run_result r;
-        REQUIRE(run_result_read(path, true, &r, &why) == STATUS_OK);
+        REQUIRE(run_result_read(path, true, &r, NULL) == STATUS_OK);
         CHECK(r.outcome == STATUS_ESCAPED && r.death_time == 10 * 0.005);
         CHECK(r.step.count == want[n].repeats && r.create.count == want[n].repeats);
         run_result_clear(&r);

@@ -8,6 +8,7 @@
 #include "models/reader/scene_file.h"
 #include "tests/opened_run.h"
 #include "tests/scratch.h"
+#include "tests/text.h"
 
 enum { FILES = 4, SETTINGS = 3 };
 
@@ -124,6 +125,7 @@ static void fresh(void)
 #define UNKNOWN PROTOCOL_UNKNOWN
 
 static const struct row rows[] = {
+    /* clang-format off */
     {{{FALL}}, PROTOCOL_ERROR, GOOD, "sound"},
     {{{FALL, {"gravity=[0,0,-9]"}}}, PROTOCOL_ERROR, NEUTRAL, "off"},
     {{{FALL}}, PROTOCOL_ERROR, UNKNOWN, "not run"},
@@ -136,30 +138,17 @@ static const struct row rows[] = {
 
     {{{FALL}}, PROTOCOL_DAMPING, GOOD, "none seen"},
     {{{FALL, {"damping={kind: mass, value: 1}"}}}, PROTOCOL_DAMPING, BAD, "damped"},
-    {{{FALL, {"gravity=[9,0,0]"}}},
-     PROTOCOL_DAMPING,
-     UNKNOWN,
-     "not known",
+    {{{FALL, {"gravity=[9,0,0]"}}}, PROTOCOL_DAMPING, UNKNOWN, "not known",
      "free_fall has frames whose error is not explained"},
-    {{{FALL, {"gravity=[9,0,0]"}}},
-     PROTOCOL_DAMPING,
-     UNKNOWN,
-     "not known",
+    {{{FALL, {"gravity=[9,0,0]"}}}, PROTOCOL_DAMPING, UNKNOWN, "not known",
      "edge_drop has no frames here"},
 
     /* frames are 20 ms apart */
     {{{"free_fall/4x4-dt0.02.csv", "triangles_explicit"}}, PROTOCOL_ERROR, GOOD, "sound"},
-    {{{"free_fall/4x4-dt0.01.csv", "triangles_explicit"},
-      {"free_fall/4x4-dt0.02.csv", "triangles_explicit"}},
-     PROTOCOL_FLAW,
-     BAD,
-     "gravity",
-     "2 times as fast"},
-    {{{"free_fall/4x4-dt0.01.csv", "triangles_explicit"},
-      {"free_fall/4x4-dt0.02.csv", "triangles_explicit"}},
-     PROTOCOL_NETS,
-     UNKNOWN,
-     "not known",
+    {{{"free_fall/4x4-dt0.01.csv", "triangles_explicit"}, {"free_fall/4x4-dt0.02.csv",
+     "triangles_explicit"}}, PROTOCOL_FLAW, BAD, "gravity", "2 times as fast"},
+    {{{"free_fall/4x4-dt0.01.csv", "triangles_explicit"}, {"free_fall/4x4-dt0.02.csv",
+     "triangles_explicit"}}, PROTOCOL_NETS, UNKNOWN, "not known",
      "one net only on free_fall"},
 
     {{{DROP}}, PROTOCOL_CLAMP, GOOD, "clamped"},
@@ -167,59 +156,36 @@ static const struct row rows[] = {
     {{{FALL}}, PROTOCOL_CLAMP, UNKNOWN, "not known"},
 
     {{{LEVEL}}, PROTOCOL_STIFFNESS, GOOD, "bending"},
-    {{{LEVEL, {"material.bending=[2e-4,5e-5,0,5e-6]"}}},
-     PROTOCOL_STIFFNESS,
-     NEUTRAL,
+    {{{LEVEL, {"material.bending=[2e-4,5e-5,0,5e-6]"}}}, PROTOCOL_STIFFNESS, NEUTRAL,
      "bending"},
-    {{{LEVEL}},
-     PROTOCOL_STIFFNESS,
-     UNKNOWN,
-     "not known",
+    {{{LEVEL}}, PROTOCOL_STIFFNESS, UNKNOWN, "not known",
      "the membrane's along the weft, bending along the weft."},
-    {{{REST("17x17")}},
-     PROTOCOL_STIFFNESS,
-     UNKNOWN,
-     "not known",
+    {{{REST("17x17")}}, PROTOCOL_STIFFNESS, UNKNOWN, "not known",
      "the membrane's along the weft. "},
 
     {{{REST("5x5")}, {REST("9x9")}, {REST("17x17")}}, PROTOCOL_NETS, GOOD, "converges"},
     {{{REST("5x5"), OF("4e6")}, {REST("9x9"), OF("4e6")}, {REST("17x17"), OF("4e6")}},
-     PROTOCOL_NETS,
-     BAD,
-     "to another limit"},
-    {{{REST("5x5")}, {REST("9x9")}, {REST("17x17"), OF("4e6")}},
-     PROTOCOL_NETS,
-     BAD,
+     PROTOCOL_NETS, BAD, "to another limit"},
+    {{{REST("5x5")}, {REST("9x9")}, {REST("17x17"), OF("4e6")}}, PROTOCOL_NETS, BAD,
      "does not converge"},
     {{{REST("5x5"), OF("1.01e7")}, {REST("9x9"), OF("1.09e7")}, {REST("17x17")}},
-     PROTOCOL_NETS,
-     BAD,
-     "does not converge"}, /* of an order of less than a half */
+     PROTOCOL_NETS, BAD, "does not converge"}, /* of an order of less than a half */
     {{{REST("5x5")}, {REST("9x9")}}, PROTOCOL_NETS, UNKNOWN, "not known"},
     {{{REST("5x5")}, {FALL}}, PROTOCOL_NETS, UNKNOWN, "not known"},
-    {{{FALL}, {"free_fall/3x3.csv", "triangles_explicit"}},
-     PROTOCOL_NETS,
-     NEUTRAL,
+    {{{FALL}, {"free_fall/3x3.csv", "triangles_explicit"}}, PROTOCOL_NETS, NEUTRAL,
      "the same on each"},
 
-    {{{FALL}, {"free_fall/4x4-2.csv", "triangles_explicit"}},
-     PROTOCOL_REPEATS,
-     GOOD,
+    {{{FALL}, {"free_fall/4x4-2.csv", "triangles_explicit"}}, PROTOCOL_REPEATS, GOOD,
      "agree"},
     {{{FALL}, {"free_fall/4x4-2.csv", "triangles_explicit", {"gravity=[0,0,-9.82]"}}},
-     PROTOCOL_REPEATS,
-     BAD,
-     "do not agree"},
-    {{{FALL}, {"free_fall/3x3.csv", "triangles_explicit"}},
-     PROTOCOL_REPEATS,
-     UNKNOWN,
+     PROTOCOL_REPEATS, BAD, "do not agree"},
+    {{{FALL}, {"free_fall/3x3.csv", "triangles_explicit"}}, PROTOCOL_REPEATS, UNKNOWN,
      "not known"},
 
     {{{FALL}}, PROTOCOL_CONTACT, GOOD, "does not pass"},
-    {{{"free_fall/5x4.csv", "triangles_explicit", .fold = .1}},
-     PROTOCOL_CONTACT,
-     BAD,
+    {{{"free_fall/5x4.csv", "triangles_explicit", .fold = .1}}, PROTOCOL_CONTACT, BAD,
      "passes through"},
+    /* clang-format on */
 };
 
 /* A file has any name; its net is that of its frames. */
@@ -244,15 +210,6 @@ static void names(void)
     protocol_clear(&p);
 }
 
-static void put_text(const char *name, const char *text)
-{
-    FILE *file = fopen(name, "w");
-
-    REQUIRE(file);
-    fputs(text, file);
-    REQUIRE(fclose(file) == 0);
-}
-
 /* Names of files and of the engine are words of the tables, whatever they hold. */
 static void hostile(void)
 {
@@ -269,8 +226,8 @@ static void hostile(void)
     REQUIRE(symlink(scene, "free_fall/scene.yaml") == 0);
     free(scene);
     REQUIRE(rename("free_fall", name) == 0);
-    put_text("engine.yaml",
-             "name: \"<script>\"\nversion: \"</title><img src=x>\"\nstep: 0.1\n");
+    text_write("engine.yaml",
+               "name: \"<script>\"\nversion: \"</title><img src=x>\"\nstep: 0.1\n");
     if (!CHECK(protocol_read(".", &look, &p, &why) == STATUS_OK) ||
         !CHECK(protocol_tables_write("protocol.csv", &p, &why) == STATUS_OK)) {
         printf("%s\n", why.text);

@@ -53,15 +53,14 @@ static void maps(bool faces, int nu)
     const struct frames_net frames = make((double[SHEETS]){0, 0, 0}, faces);
     struct score_net net = {0};
     struct score_map map = {0};
-    struct message why = {""};
     static double at[VERTICES][3], field[GRID_U * GRID_V][3];
     double off = 0;
 
     for (int n = 0; n < VERTICES; n++)
         at[n][0] = at[n][1] = at[n][2] = value(uv[n][0], uv[n][1]);
-    REQUIRE(score_net_make(&arena, &frames, &scene, "net", NULL, NULL, &net, &why) ==
+    REQUIRE(score_net_make(&arena, &frames, &scene, "net", NULL, NULL, &net, NULL) ==
             STATUS_OK);
-    REQUIRE(score_net_map(&arena, &net, &frames, &scene, "net", nu, 11, &map, &why) ==
+    REQUIRE(score_net_map(&arena, &net, &frames, &scene, "net", nu, 11, &map, NULL) ==
             STATUS_OK);
     score_map_apply(&map, at[0], field[0]);
     for (int n = 0; n < nu * 11; n++)
@@ -122,9 +121,8 @@ static void meets(bool faces)
         const struct frames_net frames = make(row[n].height, faces);
         struct score_net net = {0};
         struct score_contact c;
-        struct message why = {""};
         char text[SCORE_CONTACT_TEXT] = "";
-        REQUIRE(score_net_make(&arena, &frames, &scene, "net", NULL, NULL, &net, &why) ==
+        REQUIRE(score_net_make(&arena, &frames, &scene, "net", NULL, NULL, &net, NULL) ==
                 STATUS_OK);
         score_contact_begin(&arena, &c, &scene, &frames, &net);
         CHECK(c.triangles == 2 * SHEETS * (N - 1) * (M - 1));

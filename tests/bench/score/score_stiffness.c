@@ -56,11 +56,9 @@ static struct score_stiffness measured(const char *scene, const char *name, bool
     if (iterates || !strcmp(name, "mass_spring")) /* springs have Y12 = G */
         law.matrix[LAW_MEMBRANE][LAW_12] = law.matrix[LAW_MEMBRANE][LAW_33];
     *known = law_narrow(law.matrix[part]);
-    if (!CHECK(score_truth_read(scene, &truth, &why) == STATUS_OK) ||
-        !CHECK(score_read(&truth, 1, &path, &look, &score, &why) == STATUS_OK)) {
-        printf("%s\n", why.text);
-        exit(1);
-    }
+    REQUIRE_SAY(score_truth_read(scene, &truth, &why) == STATUS_OK &&
+                    score_read(&truth, 1, &path, &look, &score, &why) == STATUS_OK,
+                "%s", why.text);
     score_stiffness_make(&score, &found);
     CHECK(found.applies && found.part == part && found.along == SCORE_ALONG_WARP);
     score_clear(&score);
@@ -98,8 +96,8 @@ int main(void)
         const struct score_stiffness s =
             measured(row[n].scene, row[n].name, row[n].weft, row[n].points,
                      row[n].columns ? row[n].columns : 21, 0, &known);
-        if (!CHECK(s.found) || !CHECK_RELATIVE(s.value, known, OWN_ERROR))
-            printf("  %s of %s, %s, %g left\n", row[n].scene, row[n].name,
+        SAY_UNLESS(CHECK(s.found) && CHECK_RELATIVE(s.value, known, OWN_ERROR),
+                   "%s of %s, %s, %g left", row[n].scene, row[n].name,
                    row[n].weft ? "weft" : "warp", s.left);
     }
     CHECK(!measured("woven_level", "shell_3", false, "[20,6]", 21, NOISE, &known).found);

@@ -46,8 +46,7 @@ static void print_part(const struct bench_part *part, enum table_format format,
         b.result[1].outcome = STATUS_UNSUPPORTED;
         b.result[1].sentence = (struct message){"will not"};
     }
-    if (!CHECK(part->print(&b, &why) == STATUS_OK))
-        printf("%s\n", why.text);
+    CHECK_SAY(part->print(&b, &why) == STATUS_OK, "%s", why.text);
     free(b.result);
     batch_clear(&b.batch);
 }

@@ -143,9 +143,9 @@ static void packs(void)
                                      pow(a[2] - b[2], 2)));
         }
         CHECK_NEAR(packing, cases[n].step * sqrt(3) / 2, 1e-20);
-        if (!CHECK(moved <= packing && moved >= .8 * packing &&
-                   packing <= cases[n].error / 10))
-            printf("bar %g: moved by %g, packing %g\n", cases[n].error, moved, packing);
+        CHECK_SAY(moved <= packing && moved >= .8 * packing &&
+                      packing <= cases[n].error / 10,
+                  "bar %g: moved by %g, packing %g", cases[n].error, moved, packing);
         CHECK(packed.value[2][TRUTH_PACKING] ==
               plain.value[2][TRUTH_PACKING]); /* past it */
         const char *file = write_made_up(&packed);

@@ -2,9 +2,6 @@
  * orders, bars and differences are known. */
 #include "bench/truth/truth_making.h"
 
-#include <math.h>
-#include <stdlib.h>
-
 #include "bench/truth/truth.h"
 #include "models/grid.h"
 #include "tests/check.h"
@@ -205,9 +202,9 @@ static void unsettled(void)
         compare(TRUTH_SOLID, 1, 0);
         for (int t = 0; t < TIMES; t++) {
             const double bar = made.value[t][TRUTH_SOLID_BAR] / (t + 1);
-            if (!CHECK(bar >= (1 - ORDER) * cases[n].least &&
-                       bar <= (1 + ORDER) * cases[n].most))
-                printf("unsettled %zu: %.10g, %.10g\n", n, bar, seen);
+            CHECK_SAY(bar >= (1 - ORDER) * cases[n].least &&
+                          bar <= (1 + ORDER) * cases[n].most,
+                      "unsettled %zu: %.10g, %.10g", n, bar, seen);
             CHECK(made.xyz[t][0] == family[TRUTH_SOLID].run[3].xyz[t][0]);
         }
         CHECK(!strstr(made.source, "extrapolated"));
@@ -250,8 +247,8 @@ static void heard(void)
         truth_bar_horizon(&push, o.blunt, TIMES, times, LENGTH, text);
         CHECK(!strstr(text, "too coarse to know") == !o.blunt);
         CHECK(!strstr(text, "cannot be predicted") == (o.blunt || o.lost == INFINITY));
-        if (!CHECK(o.lost == cases[n].lost && o.blunt == cases[n].blunt))
-            printf("heard %zu: %g, %d\n", n, o.lost, (int)o.blunt);
+        CHECK_SAY(o.lost == cases[n].lost && o.blunt == cases[n].blunt, "heard %zu: %g, %d",
+                  n, o.lost, (int)o.blunt);
     }
 }
 
@@ -294,8 +291,7 @@ static void check_choices(void)
         truth_clear(&made);
         truth_init(&made, TIMES, TIMES, times);
         truth_bar_judge(family, &push, LENGTH, &made);
-        if (!CHECK(made.claimed == c->claimed))
-            printf("choice %zu: %d claimed\n", n, made.claimed);
+        CHECK_SAY(made.claimed == c->claimed, "choice %zu: %d claimed", n, made.claimed);
         CHECK(look(TRUTH_MOST_ERROR).known == (c->claimed ? times[c->claimed - 1] : 0));
         for (int t = 0; t < TIMES; t++) {
             const bool solid = c->whose[t] == 'o';
@@ -345,9 +341,9 @@ static void check_doubt(void)
         }
         truth_doubt(&sheet, &made);
         CHECK(made.alone == rows[n].alone);
-        if (!CHECK(strstr(made.unresolved, rows[n].since) &&
-                   !*made.unresolved == !*rows[n].since))
-            printf("row %zu says '%s'\n", n, made.unresolved);
+        CHECK_SAY(strstr(made.unresolved, rows[n].since) &&
+                      !*made.unresolved == !*rows[n].since,
+                  "row %zu says '%s'", n, made.unresolved);
         truth_clear(&made);
     }
     scene_clear(&sheet);

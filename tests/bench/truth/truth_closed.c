@@ -10,6 +10,7 @@
 #include "tests/opened_run.h"
 #include "tests/said.h"
 #include "tests/scratch.h"
+#include "tests/text.h"
 #include "tests/truth_fixture.h"
 
 static const double TOL_STEPS = 1e-11;  /* of 1000 steps of fourth order              */
@@ -29,8 +30,8 @@ static void read_scene(const char *name, const char *const *set, struct scene *s
 
     settings_list(&settings, set ? 8 : 0, set);
     REQUIRE(scene_file_find(name, &path, NULL) == STATUS_OK);
-    if (!CHECK(truth_plan_scene(path, &settings, s, &why) == STATUS_OK))
-        printf("%s: %s\n", name, why.text);
+    CHECK_SAY(truth_plan_scene(path, &settings, s, &why) == STATUS_OK, "%s: %s", name,
+              why.text);
     settings_clear(&settings);
     free(path);
 }
@@ -169,26 +170,25 @@ static void shell_agrees(const char *name, double net)
     static const char *const fine[] = {"discretization.points=[40,5]"};
     static const char *const coarse[] = {"discretization.points=[12,4]"};
     struct run run;
-    struct message why = {""};
     struct counters work = {0};
     double error, *found = malloc(2 * FIELD * sizeof *found), *moved = found + FIELD;
 
     REQUIRE(found);
     opened_run(&run, name, "shell_selective_3", 1, fine);
-    REQUIRE(run_settle(&run, &work, &why) == STATUS_OK);
+    REQUIRE(run_settle(&run, &work, NULL) == STATUS_OK);
     model_sample(run.model, run.state, found);
     double *xyz = field_at(&run.scene, run.scene.end, &error);
-    if (!CHECK(metric_rmse(found, xyz) <= error + net))
-        printf("%s: %g m apart, bar %g m\n", name, metric_rmse(found, xyz), error);
+    CHECK_SAY(metric_rmse(found, xyz) <= error + net, "%s: %g m apart, bar %g m", name,
+              metric_rmse(found, xyz), error);
     run_close(&run);
     opened_run(&run, name, "shell_selective_3", 1, coarse);
     for (double t = 0; t < run.scene.end - run.scene.step / 2; t += run.scene.step)
         REQUIRE(run.model->advance(run.state, &work) == STATUS_OK);
     model_sample(run.model, run.state, moved);
-    REQUIRE(run_settle(&run, &work, &why) == STATUS_OK);
+    REQUIRE(run_settle(&run, &work, NULL) == STATUS_OK);
     model_sample(run.model, run.state, found);
-    if (!CHECK(metric_rmse(found, moved) <= error / 2))
-        printf("%s: %g m from rest, bar %g m\n", name, metric_rmse(found, moved), error);
+    CHECK_SAY(metric_rmse(found, moved) <= error / 2, "%s: %g m from rest, bar %g m", name,
+              metric_rmse(found, moved), error);
     run_close(&run);
     free(found);
     free(xyz);
@@ -227,8 +227,8 @@ static void refused(void)
         struct truth made;
         struct scene s;
         read_scene(cases[n].scene, cases[n].set, &s);
-        if (!CHECK(truth_closed_make(&s, &made) == STATUS_UNSUPPORTED && !made.xyz))
-            printf("%s, %s\n", cases[n].scene, cases[n].set[0] ? cases[n].set[0] : "");
+        CHECK_SAY(truth_closed_make(&s, &made) == STATUS_UNSUPPORTED && !made.xyz, "%s, %s",
+                  cases[n].scene, cases[n].set[0] ? cases[n].set[0] : "");
         scene_clear(&s);
     }
 }
@@ -279,7 +279,7 @@ static void printed_frames(void)
     said_open(&said);
     CHECK(truth_print_frames(&made, &s, grid, said.file) == STATUS_OK);
     said_close(&said, true);
-    CHECK(said_count(&said, "# bar: 5,") == 1);
+    CHECK(text_count(said.text, "# bar: 5,") == 1);
     const char *at = strstr(said.text, "t,u,v,x,y,z\n");
     REQUIRE(at);
     for (double v[6];
@@ -298,7 +298,7 @@ static void printed_frames(void)
     said_open(&said);
     CHECK(truth_print_frames(&made, &s, three, said.file) == STATUS_OK);
     said_close(&said, true);
-    CHECK(said_count(&said, "\n5,0.5,") == 2 && said_count(&said, "\n5,") == 6);
+    CHECK(text_count(said.text, "\n5,0.5,") == 2 && text_count(said.text, "\n5,") == 6);
     said_clear(&said);
     truth_clear(&made);
     scene_clear(&s);

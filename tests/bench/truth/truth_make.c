@@ -30,10 +30,10 @@ static struct truth *made(const char *folder, double error, double seconds)
     struct message why = {""};
 
     asked_open(&a, "edge_drop", 2, own, 0, NULL, NULL);
-    if (!CHECK(truth_find_or_make(a.path, &a.settings, TIMES, TIME, folder,
-                                  &(struct truth_wish){error, seconds}, &t,
-                                  &why) == STATUS_OK))
-        printf("%s\n", why.text);
+    CHECK_SAY(truth_find_or_make(a.path, &a.settings, TIMES, TIME, folder,
+                                 &(struct truth_wish){error, seconds}, &t,
+                                 &why) == STATUS_OK,
+              "%s", why.text);
     REQUIRE(t);
     asked_close(&a);
     return t;
@@ -168,8 +168,7 @@ static void push_finer(const char *folder)
     }
     REQUIRE(solids >= 5 && solids <= 7);
     snprintf(horizon, sizeof horizon, "(solid, %dx%d,", side[solids - 3], side[solids - 3]);
-    if (!CHECK(strstr(made.horizon, horizon)))
-        printf("%d solids: %s\n", solids, made.horizon);
+    CHECK_SAY(strstr(made.horizon, horizon), "%d solids: %s", solids, made.horizon);
     truth_clear(&made);
     asked_close(&a);
 }
@@ -200,20 +199,18 @@ static void begins_finer(const char *folder)
     struct asked a;
     struct truth made = {0};
     struct truth_end end;
-    struct message why = {""};
     const struct truth_wish hasty = {1e-9, 0};
 
     asked_open(&a, "edge_drop", 2, own, TIMES, TIME, folder);
     a.runs.frame = truth_plan_frame(&a.scene);
     dies_at = 12;
-    REQUIRE(truth_make(&a.runs, &a.scene, &hasty, &made, &end, &why) == STATUS_OK);
-    if (!CHECK(strstr(made.source, "21x21") && strstr(made.source, "12x12")))
-        printf("%s\n", made.source); /* the shell's, and the solid's, which lives on */
+    REQUIRE(truth_make(&a.runs, &a.scene, &hasty, &made, &end, NULL) == STATUS_OK);
+    CHECK_SAY(strstr(made.source, "21x21") && strstr(made.source, "12x12"), "%s",
+              made.source); /* the shell's, and the solid's, which lives on */
     truth_clear(&made);
     dies_at = 9;
-    REQUIRE(truth_make(&a.runs, &a.scene, &hasty, &made, &end, &why) == STATUS_OK);
-    if (!CHECK(strstr(made.source, "15x15")))
-        printf("%s\n", made.source);
+    REQUIRE(truth_make(&a.runs, &a.scene, &hasty, &made, &end, NULL) == STATUS_OK);
+    CHECK_SAY(strstr(made.source, "15x15"), "%s", made.source);
     truth_clear(&made);
     dies_at = 0;
     asked_close(&a);
@@ -270,8 +267,8 @@ static void check_answers(void)
         char text[TRUTH_END_TEXT];
         enum truth_model next;
         const enum truth_answer answer = truth_make_judge(&wish, &rows[n].o, &next, text);
-        if (!CHECK(answer == rows[n].answer && next == rows[n].next))
-            printf("row %zu: answer %d, next %d; %s\n", n, (int)answer, (int)next, text);
+        CHECK_SAY(answer == rows[n].answer && next == rows[n].next,
+                  "row %zu: answer %d, next %d; %s", n, (int)answer, (int)next, text);
         const bool untried = rows[n].o.error <= wish.error && !isfinite(rows[n].o.lost) &&
                              (answer == TRUTH_DEAR || answer == TRUTH_FINEST);
         CHECK(!strstr(text, "which none has shown") == !untried);

@@ -21,8 +21,8 @@ int main(int argc, char **argv)
     asked_open(&a, "cloak", 1, undamped, 1, &TIME, argv[1]);
     a.runs.frame = truth_plan_frame(&a.scene);
     REQUIRE(truth_find(a.path, &a.settings, 1, &TIME, NULL, &stored, &why) == STATUS_OK);
-    if (!CHECK(truth_make(&a.runs, &a.scene, &wish, &made, &end, &why) == STATUS_OK))
-        printf("%s\n", why.text);
+    CHECK_SAY(truth_make(&a.runs, &a.scene, &wish, &made, &end, &why) == STATUS_OK, "%s",
+              why.text);
     const double off = metric_rmse(made.xyz[0], stored->xyz[0]) / a.scene.length,
                  bar = (made.error[0] + stored->error[0]) / a.scene.length;
     printf("%s; %.2g %% from the stored truth, both bars are %.2g %%\n", end.text,

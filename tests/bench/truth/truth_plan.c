@@ -29,9 +29,9 @@ static void check_thin(void)
         for (int t = 0; t < 5; t++)
             made.error[t] = time[t];
         truth_thin(&made, cases[n].plain ? &plain : &scene);
-        if (!CHECK(made.times == cases[n].times && made.claimed == cases[n].left &&
-                   made.time[made.times - 1] == cases[n].last))
-            printf("thin %zu: %d times, %d claimed\n", n, made.times, made.claimed);
+        CHECK_SAY(made.times == cases[n].times && made.claimed == cases[n].left &&
+                      made.time[made.times - 1] == cases[n].last,
+                  "thin %zu: %d times, %d claimed", n, made.times, made.claimed);
         for (int t = 0; t < made.times; t++)
             CHECK(made.error[t] == made.time[t] &&
                   (made.xyz[t] != NULL) == (t < made.claimed));
@@ -262,8 +262,8 @@ static void physics(void)
         const struct pair *p = &pairs[n];
         char *a = physics_of(p->scene, p->a != NULL, &p->a);
         char *b = physics_of(p->scene, 1, &p->b);
-        if (!CHECK((strcmp(a, b) == 0) == p->same))
-            printf("%s: %s and %s\n", p->scene, p->a ? p->a : "", p->b);
+        CHECK_SAY((strcmp(a, b) == 0) == p->same, "%s: %s and %s", p->scene,
+                  p->a ? p->a : "", p->b);
         free(a);
         free(b);
     }

@@ -2,7 +2,6 @@
  * within their error bars and the models' own errors. (truth_make.c: how they are made.) */
 #include <dirent.h>
 
-#include "bench/files/folder.h"
 #include "bench/truth/truth.h"
 #include "bench/truth/truth_making.h"
 #include "fem_ref/reference.h"
@@ -10,6 +9,7 @@
 #include "models/metric/metric.h"
 #include "models/reader/scene_file.h"
 #include "tests/fresh.h"
+#include "tests/said.h"
 #include "tests/truth_fixture.h"
 
 static const char *folder;
@@ -50,10 +50,10 @@ static void mid_size(const char *scene, enum truth_model model, int degree)
         double error = metric_rmse(run[0].xyz[n], truth->xyz[n]);
         double own =
             own_error(&level[0], &level[1], metric_rmse(run[0].xyz[n], run[1].xyz[n]));
-        if (!CHECK(error <= truth->error[n] + own))
-            printf("%s, %s at %g s: %g m, bar %g, own %g\n", scene,
-                   truth_level_contestant(&(struct truth_level){.model = model})->name,
-                   times[n], error, truth->error[n], own);
+        CHECK_SAY(error <= truth->error[n] + own, "%s, %s at %g s: %g m, bar %g, own %g",
+                  scene,
+                  truth_level_contestant(&(struct truth_level){.model = model})->name,
+                  times[n], error, truth->error[n], own);
         CHECK(own < 0.1); /* else it says nothing */
     }
     run_result_clear(&run[0]);
@@ -69,12 +69,12 @@ static void check_origin(const char *name, const struct scene *s)
     struct truth made;
 
     REQUIRE(truth_file_find(name, s, &made, NULL) == STATUS_OK);
-    if (!CHECK(strlen(made.commit) == 40 && !strcmp(made.changed, "0")))
-        printf("%s: commit %s, %s changed files\n", name, made.commit, made.changed);
+    CHECK_SAY(strlen(made.commit) == 40 && !strcmp(made.changed, "0"),
+              "%s: commit %s, %s changed files", name, made.commit, made.changed);
     for (int n = 0; n < made.claimed; n++)
-        if (!CHECK(made.value[n][TRUTH_PACKING] <= fmax(made.error[n] / 10, FLOAT)))
-            printf("%s at %g s: packing %g m, bar %g m\n", name, made.time[n],
-                   made.value[n][TRUTH_PACKING], made.error[n]);
+        CHECK_SAY(made.value[n][TRUTH_PACKING] <= fmax(made.error[n] / 10, FLOAT),
+                  "%s at %g s: packing %g m, bar %g m", name, made.time[n],
+                  made.value[n][TRUTH_PACKING], made.error[n]);
     truth_clear(&made);
 }
 
@@ -135,8 +135,7 @@ static void each_has_its_scene(void)
         asked_open(&a, entries[n].name, 0, NULL, 0, NULL, NULL);
         CHECK(truth_stored_times(a.path, &a.settings, a.scene.end, 1, time, &found, NULL) ==
               STATUS_OK);
-        if (!CHECK(found == 1))
-            printf("%s: %s\n", entries[n].name, entries[n].text);
+        CHECK_SAY(found == 1, "%s: %s", entries[n].name, entries[n].text);
         check_origin(entries[n].name, &a.scene);
         asked_close(&a);
     }
@@ -149,13 +148,13 @@ static void each_scene_is_known(void)
 {
     static const char *const ways[] = {",closed form,", ",stored,", ",none,"};
     struct named_file_entry *scenes = NULL;
-    char *text = NULL, row[64];
-    size_t size;
+    struct said said;
+    char row[64];
     int count = 0;
-    FILE *file = open_memstream(&text, &size);
 
-    REQUIRE(file && truth_print_all(&(struct printer){TABLE_CSV, file}, NULL) == STATUS_OK);
-    REQUIRE(fclose(file) == 0);
+    REQUIRE(truth_print_all(&(struct printer){TABLE_CSV, said_open(&said)}, NULL) ==
+            STATUS_OK);
+    char *text = said_text(&said);
     REQUIRE(named_file_names(&scene_file_kind, &scenes, &count, NULL) == STATUS_OK);
     CHECK(count > 20);
     for (int n = 0; n < count; n++) {
@@ -167,8 +166,8 @@ static void each_scene_is_known(void)
         snprintf(row, sizeof row, "# %s has no truth: ", scenes[n].name);
         const bool never = strstr(text, row);
         snprintf(row, sizeof row, "\n%s,none,", scenes[n].name);
-        if (!CHECK(found == 1 && (strstr(text, row) != NULL) == never))
-            printf("%s: neither known nor told why not\n", scenes[n].name);
+        CHECK_SAY(found == 1 && (strstr(text, row) != NULL) == never,
+                  "%s: neither known nor told why not", scenes[n].name);
     }
     named_file_list_free(scenes, count);
     free(text);
@@ -198,9 +197,9 @@ static void strip_is_the_beam(void)
             hypot((low[0] + high[0]) / 2 - reference_number(beam, row, "x1"),
                   (low[2] + high[2]) / 2 - reference_number(beam, row, "z1"));
         CHECK_NEAR(reference_number(beam, row, "t"), made.time[n], 1e-9);
-        if (!CHECK(apart <= TIP * made.error[n]))
-            printf("strip_swing at %g s: %g m from the beam, bar %g m\n", made.time[n],
-                   apart, made.error[n]);
+        CHECK_SAY(apart <= TIP * made.error[n],
+                  "strip_swing at %g s: %g m from the beam, bar %g m", made.time[n], apart,
+                  made.error[n]);
     }
     reference_close(beam);
     truth_clear(&made);

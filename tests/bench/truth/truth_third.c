@@ -6,6 +6,7 @@
 
 #include "bench/files/folder.h"
 #include "models/grid.h"
+#include "tests/text.h"
 #include "tests/truth_fixture.h"
 
 /* Roundings of sums near 1 m, and of orders that are halved. */
@@ -106,9 +107,8 @@ static void judge(const struct leg *leg)
     if (leg->harm)
         leg->harm(third_file);
     const enum status st = truth_file_read(truth_file, &read, &why);
-    if (!CHECK(st == leg->status && read.claimed == leg->claimed))
-        printf("%s: status %d, %d claimed; %s\n", leg->what, (int)st, read.claimed,
-               why.text);
+    CHECK_SAY(st == leg->status && read.claimed == leg->claimed,
+              "%s: status %d, %d claimed; %s", leg->what, (int)st, read.claimed, why.text);
     CHECK(leg->said ? strstr(read.third, leg->said) != NULL : *why.text != '\0');
     CHECK(!leg->said || *leg->said || !*read.third);
     CHECK((st == STATUS_OK) == (read.physics != NULL));
@@ -143,16 +143,6 @@ static void write_net(int elements, double c, double p, int points, int count)
     REQUIRE(fclose(file) == 0);
 }
 
-static void write_note(void)
-{
-    char path[PATH];
-
-    snprintf(path, sizeof path, "%s/nets/note.txt", folder);
-    FILE *file = fopen(path, "w");
-    REQUIRE(file && fprintf(file, "somebody, somehow\nand so on\n") > 0 &&
-            fclose(file) == 0);
-}
-
 /* The limit is 1 m at order 2, and one above 2 is not believed. */
 static void extrapolates(double p)
 {
@@ -164,16 +154,13 @@ static void extrapolates(double p)
 
     for (int n = 0; n < 3; n++)
         write_net(nets[n], 0.1, p, GRID_U, 3 - n); /* the finest has one time */
-    write_note();
-    char path[PATH], stray[PATH + 16];
+    char path[PATH], beside[PATH + 16];
     snprintf(path, sizeof path, "%s/nets", folder);
-    snprintf(stray, sizeof stray, "%s/9.5.csv", path); /* no number of elements: left out */
-    FILE *file = fopen(stray, "w");
-    REQUIRE(file && fputs("not frames\n", file) > 0 && fclose(file) == 0);
-    if (!CHECK(truth_third_make(path, 1, &third, &why) == STATUS_OK)) {
-        printf("%s\n", why.text);
-        return;
-    }
+    snprintf(beside, sizeof beside, "%s/note.txt", path);
+    text_write(beside, "somebody, somehow\nand so on\n");
+    snprintf(beside, sizeof beside, "%s/9.5.csv", path); /* no number: left out */
+    text_write(beside, "not frames\n");
+    REQUIRE_SAY(truth_third_make(path, 1, &third, &why) == STATUS_OK, "%s", why.text);
     CHECK(third.times == 1 && third.claimed == 1 && third.foreign);
     CHECK(!strcmp(third.source, "somebody, somehow"));
     CHECK_NEAR(third.value[0][TRUTH_SHELL_SPACE], p, ORDER);

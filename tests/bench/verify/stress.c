@@ -25,8 +25,7 @@ static void check_case(int at, const char *path)
         count++;
     const bool refused = !strcmp(item->name, "overlapping"); /* as it should be */
     const enum status st = scene_file_read(path, count, c->physics, &scene, &d, &why);
-    if (!CHECK(st == (refused ? STATUS_INPUT : STATUS_OK)))
-        printf("%s: %s\n", item->name, why.text);
+    CHECK_SAY(st == (refused ? STATUS_INPUT : STATUS_OK), "%s: %s", item->name, why.text);
     CHECK(c->field.tolerance > 0 && *c->check.source && *item->text && c->truth);
     CHECK(c->gamma <= 0 || scene_gamma(&scene) > 0);
     CHECK(c->truth != &stress_similar || (c->length > 0 && c->mass > 0 && c->time > 0));

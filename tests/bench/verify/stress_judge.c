@@ -4,7 +4,6 @@
 #include "fem_ref/elastica.h"
 #include "fem_ref/kirchhoff.h"
 #include "models/clock.h"
-#include "models/reader/scene_file.h"
 #include "tests/scripted_model.h"
 
 #define LENGTH           2.0 /* so that "over L" tells */
@@ -35,8 +34,7 @@ static struct verify_row judge(const struct stress_case *c)
     const double before = clock_processor();
 
     stress_add_row(&subject);
-    if (!CHECK(sheet.status == STATUS_OK))
-        printf("  %s: %s\n", c->check.item.name, sheet.why.text);
+    CHECK_SAY(sheet.status == STATUS_OK, "%s: %s", c->check.item.name, sheet.why.text);
     const struct verify_row row = *sheet.rows;
     CHECK(row.seconds >= 0 && row.seconds <= clock_processor() - before);
     verify_sheet_clear(&sheet);
@@ -201,10 +199,10 @@ static void check_shapes(void)
     for (size_t n = 0; n < sizeof known / sizeof *known; n++) {
         begin();
         const struct verify_row r = judge(&known[n].c);
-        if (!CHECK_NEAR(r.error, known[n].error, tol) ||
-            !CHECK(isnan(known[n].time) ? isnan(r.until)
-                                        : fabs(r.until - known[n].time) < tol))
-            printf("  %s: until %g\n", known[n].c.check.item.name, r.until);
+        SAY_UNLESS(CHECK_NEAR(r.error, known[n].error, tol) &&
+                       CHECK(isnan(known[n].time) ? isnan(r.until)
+                                                  : fabs(r.until - known[n].time) < tol),
+                   "%s: until %g", known[n].c.check.item.name, r.until);
     }
     begin();
     other.equilibrium = NULL;
@@ -292,10 +290,10 @@ static void check_contact(void)
         begin();
         other.sample = known[n].sample ? known[n].sample : other.sample;
         const struct verify_row r = judge(&known[n].c);
-        if (!CHECK_NEAR(r.error, known[n].error, known[n].tol) ||
-            !CHECK(isnan(known[n].time) ? isnan(r.until)
-                                        : fabs(r.until - known[n].time) < tol))
-            printf("  %s: %g until %g: %s\n", known[n].c.check.item.name, r.error, r.until,
+        SAY_UNLESS(CHECK_NEAR(r.error, known[n].error, known[n].tol) &&
+                       CHECK(isnan(known[n].time) ? isnan(r.until)
+                                                  : fabs(r.until - known[n].time) < tol),
+                   "%s: %g until %g: %s", known[n].c.check.item.name, r.error, r.until,
                    r.note);
     }
     begin(); /* also of the dead it is told what they have touched */
@@ -351,8 +349,8 @@ static void check_ends(void)
         const struct verify_row r = judge(known[n].c);
         const bool timed =
             isnan(known[n].time) ? isnan(r.until) : fabs(r.until - known[n].time) < tol;
-        if (!CHECK(r.verdict == known[n].verdict && isnan(r.error) && timed && *r.note))
-            printf("  row %zu: %d at %g: %s\n", n, r.verdict, r.until, r.note);
+        CHECK_SAY(r.verdict == known[n].verdict && isnan(r.error) && timed && *r.note,
+                  "row %zu: %d at %g: %s", n, r.verdict, r.until, r.note);
     }
     begin(); /* a disk that is full is no result */
     struct verify_sheet sheet = {.check = &moves.check};

@@ -5,6 +5,7 @@
 #include "bench/verify/verify.h"
 #include "bench/verify/verify_check.h"
 #include "tests/known_misses.h"
+#include "tests/said.h"
 
 static char folder[4096];
 
@@ -62,25 +63,21 @@ struct outcome {
 /* Words and options, ended by NULL. */
 static struct outcome command(const char *const *words)
 {
-    static char *text;
+    static struct said said;
     struct outcome o = {.why = {""}};
     struct command_line line;
     char *argv[16];
-    size_t size;
     int argc = 0;
 
-    free(text);
+    said_clear(&said);
     for (; words[argc]; argc++)
         argv[argc] = (char *)words[argc];
     REQUIRE(command_parse(&verify_command, argc, argv, &line, &o.why) == STATUS_OK);
-    FILE *out = open_memstream(&text, &size);
-    REQUIRE(out);
-    line.printer.file = out;
+    line.printer.file = said_open(&said);
     o.status = verify_run(&made_up, &line, &o.why);
     printer_close(&line.printer);
-    fclose(out);
+    o.text = said_text(&said);
     command_line_clear(&line);
-    o.text = text;
     return o;
 }
 #define COMMAND(...) command((const char *const[]){__VA_ARGS__, NULL})
@@ -128,8 +125,8 @@ static void check_judged(void)
         struct outcome o = judge(cases[n].value, cases[n].truth, cases[n].bar);
         const bool met = cases[n].met;
         CHECK(o.status == (met ? STATUS_OK : STATUS_FAILED));
-        if (!CHECK(counts(&o, "first", met ? "2 0 1 0 0 0 3" : "0 2 1 0 0 0 3")))
-            printf("%g for %g\n", cases[n].value, cases[n].truth);
+        CHECK_SAY(counts(&o, "first", met ? "2 0 1 0 0 0 3" : "0 2 1 0 0 0 3"), "%g for %g",
+                  cases[n].value, cases[n].truth);
     }
 }
 
@@ -408,8 +405,8 @@ static void check_file(void)
     }
     CHECK(folder_make(folder, &why) == STATUS_OK);
     CHECK(verify_file_write("verify", &rows_check, &made, folder, &why) == STATUS_OK);
-    if (!CHECK(verify_file_read(&rows_check, folder, &read, &why) == STATUS_OK))
-        printf("%s\n", why.text);
+    CHECK_SAY(verify_file_read(&rows_check, folder, &read, &why) == STATUS_OK, "%s",
+              why.text);
     CHECK(read.count == made.count);
     for (int n = 0; n < read.count && n < made.count; n++) {
         const struct verify_row *a = &made.rows[n], *b = &read.rows[n];

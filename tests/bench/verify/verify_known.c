@@ -32,8 +32,7 @@ int main(int argc, char **argv)
 
     REQUIRE(misses);
     const int code = run(argv, quick);
-    if (!CHECK(verify_file_read(&check, argv[3], &sheet, &why) == STATUS_OK))
-        printf("%s\n", why.text);
+    CHECK_SAY(verify_file_read(&check, argv[3], &sheet, &why) == STATUS_OK, "%s", why.text);
     for (int n = 0; n < sheet.count; n++)
         failed += verify_row_failed(&sheet.rows[n]);
     CHECK(sheet.count > 0);

@@ -81,8 +81,7 @@ static void check_endings(void)
         CHECK(t.row->seconds >= 0 && t.row->seconds <= clock_now() - before);
         CHECK(sheet.status == e->sheet);
         CHECK(!lives || sheet.status != STATUS_OK || fabs(xyz[2] - 7 * MILLI) < TINY);
-        if (!CHECK(!*t.row->note == !e->noted))
-            printf("%zu: %s\n", n, t.row->note);
+        CHECK_SAY(!*t.row->note == !e->noted, "%zu: %s", n, t.row->note);
     }
 }
 

@@ -131,11 +131,10 @@ static void check_fall(size_t n)
                      way = last * last / GRAVITY * log(cosh(GRAVITY * t / last));
         most = fmax(most, fabs(x[2] + way));
     }
-    if (!CHECK(most < rows[n].error))
-        printf("%s, %s: %g\n", rows[n].model, rows[n].choice, most);
-    if (!CHECK(fabs((before[2] - x[2]) / run.scene.step / last - 1) < rows[n].turned))
-        printf("%s, %s: %g\n", rows[n].model, rows[n].choice,
-               (before[2] - x[2]) / run.scene.step / last - 1);
+    CHECK_SAY(most < rows[n].error, "%s, %s: %g", rows[n].model, rows[n].choice, most);
+    CHECK_SAY(fabs((before[2] - x[2]) / run.scene.step / last - 1) < rows[n].turned,
+              "%s, %s: %g", rows[n].model, rows[n].choice,
+              (before[2] - x[2]) / run.scene.step / last - 1);
     run_close(&run);
 }
 
@@ -152,10 +151,10 @@ static void check_slide(size_t n)
     opened_steps(&run, 100);
     HERE(&run, x);
     const double way = log(1 + k * speed * 100 * run.scene.step) / k;
-    if (!CHECK(fabs(hypot(x[0] - from[0], x[1] - from[1]) - way) < rows[n].error &&
-               fabs((x[0] - from[0]) * 0.6 - (x[1] - from[1]) * 0.8) < 1e-6))
-        printf("%s, %s: %.9g of %g\n", rows[n].model, rows[n].choice,
-               hypot(x[0] - from[0], x[1] - from[1]), way);
+    CHECK_SAY(fabs(hypot(x[0] - from[0], x[1] - from[1]) - way) < rows[n].error &&
+                  fabs((x[0] - from[0]) * 0.6 - (x[1] - from[1]) * 0.8) < 1e-6,
+              "%s, %s: %.9g of %g", rows[n].model, rows[n].choice,
+              hypot(x[0] - from[0], x[1] - from[1]), way);
     run_close(&run);
 }
 
@@ -182,10 +181,10 @@ static void check_wind(size_t n)
     const double rise = 0.15 - log(cosh(0.1 * sqrt(30 * k))) / k,
                  u = 3 - (z[3] - z[2]) / dt, left = 3 - (z[5] - z[4]) / dt,
                  want = 1 / (1 / u + k * end);
-    if (!CHECK(fabs(z[1] - z[0] - rise) < COARSE * rows[n].error &&
-               fabs(left - want) < rows[n].error))
-        printf("%s, %s: rises %g of %g, %g of %g after %g\n", rows[n].model, rows[n].choice,
-               z[1] - z[0], rise, left, want, u);
+    CHECK_SAY(fabs(z[1] - z[0] - rise) < COARSE * rows[n].error &&
+                  fabs(left - want) < rows[n].error,
+              "%s, %s: rises %g of %g, %g of %g after %g", rows[n].model, rows[n].choice,
+              z[1] - z[0], rise, left, want, u);
     run_close(&run);
 }
 

@@ -2,8 +2,6 @@
  * else one that leaves little of r . d, or the place of a jump. */
 #include "models/mechanics/contact_share.h"
 
-#include <math.h>
-
 #include "tests/check.h"
 
 /* The places tried at most; a jump takes more. */

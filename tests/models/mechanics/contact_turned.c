@@ -2,10 +2,6 @@
  * normals, against differences of its forces; and the stiffness of friction. */
 #include "models/mechanics/contact_system.h"
 
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "tests/check.h"
 
 /* A Bezier curve of six points, twice: lines along v between both. */

@@ -95,8 +95,8 @@ static void check_way(size_t n)
             most = fmax(most, vector_distance(want, x[k]));
         }
     }
-    if (!CHECK(most < rows[n].held))
-        printf("%s, %s: %g m from its way\n", rows[n].model, rows[n].choice, most);
+    CHECK_SAY(most < rows[n].held, "%s, %s: %g m from its way", rows[n].model,
+              rows[n].choice, most);
     opened_steps(&run, 10);
     look(&run, x);
     CHECK(vector_distance(want, x[0]) > 0.01);
@@ -125,14 +125,14 @@ static void check_energy(size_t n)
     const double before = opened_total(&run);
     opened_steps(&run, 1);
     const double grown = (opened_total(&run) - before) / e.kinetic;
-    if (!CHECK(grown <= rows[n].grown))
-        printf("%s, %s: gains %g\n", rows[n].model, rows[n].choice, grown);
+    CHECK_SAY(grown <= rows[n].grown, "%s, %s: gains %g", rows[n].model, rows[n].choice,
+              grown);
     opened_steps(&run, 29);
     const double held = opened_total(&run);
     opened_steps(&run, 1);
     const double gone = (opened_total(&run) - held) / e.kinetic;
-    if (!CHECK(gone <= rows[n].grown))
-        printf("%s, %s: gains %g as it lets go\n", rows[n].model, rows[n].choice, gone);
+    CHECK_SAY(gone <= rows[n].grown, "%s, %s: gains %g as it lets go", rows[n].model,
+              rows[n].choice, gone);
     for (int k = 0; k < 4; k++)
         h[k] = 0;
     for (int frame = 0; frame < 40; frame++) {
@@ -142,8 +142,8 @@ static void check_energy(size_t n)
             most = fmax(most, fabs(h[0] - 2 * h[1] + h[2] + 1e-4));
         opened_steps(&run, 1);
     }
-    if (!CHECK(most < rows[n].bent))
-        printf("%s, %s: %g off the parabola\n", rows[n].model, rows[n].choice, most);
+    CHECK_SAY(most < rows[n].bent, "%s, %s: %g off the parabola", rows[n].model,
+              rows[n].choice, most);
     run_close(&run);
 }
 
@@ -169,8 +169,8 @@ static void check_throw(size_t n, bool taken)
         for (int i = 0; i < 3; i++)
             most = fmax(most, fabs(x[k][i] - from[k][i] - v[i] * (taken ? 0.4 : 0.5) +
                                    (i == 2) * 9.81 * 0.2 * 0.2 / 2));
-    if (!CHECK(most < rows[n].thrown))
-        printf("%s, %s: %g m off its flight\n", rows[n].model, rows[n].choice, most);
+    CHECK_SAY(most < rows[n].thrown, "%s, %s: %g m off its flight", rows[n].model,
+              rows[n].choice, most);
     run_close(&run);
 }
 

@@ -168,6 +168,17 @@ static void check(struct problem p)
 }
 
 /* clang-format off */
+static const struct problem others[] = {
+    /* errors are squared, from 1.6 */
+    {.force = square, .slope = square_slope, .wrong = 1, .start = 3, .iterations = 6,
+     .setups = 6, .worn = true},
+    /* a tangent that is not positive definite is made anew once, if there is a safer one */
+    {.force = springs, .slope = negative, .wrong = 1, .chord = 0.4, .iterations = 2,
+     .setups = 2},
+    {.force = springs, .slope = negative, .wrong = 1, .rash = true, .setups = 1,
+     .end = STATUS_INDEFINITE},
+    {.force = nothing, .slope = springs_slope, .wrong = 1, .setups = 1, .end = STATUS_NAN},
+};
 /* Tangents of springs that are too stiff by `wrong` leave 1 - 1/wrong of each change. */
 static const struct problem kept[] = {
     /* one that is right: the second change is nothing */
@@ -231,33 +242,9 @@ static void check_creep(void)
 
 int main(void)
 {
-    /* errors are squared, from 1.6 */
-    check((struct problem){.force = square,
-                           .slope = square_slope,
-                           .wrong = 1,
-                           .start = 3,
-                           .iterations = 6,
-                           .setups = 6,
-                           .worn = true});
+    for (size_t k = 0; k < sizeof others / sizeof *others; k++)
+        check(others[k]);
     check_kept();
     check_creep();
-    /* a tangent that is not positive definite is made anew once, if there is a safer one */
-    check((struct problem){.force = springs,
-                           .slope = negative,
-                           .wrong = 1,
-                           .chord = 0.4,
-                           .iterations = 2,
-                           .setups = 2});
-    check((struct problem){.force = springs,
-                           .slope = negative,
-                           .wrong = 1,
-                           .rash = true,
-                           .setups = 1,
-                           .end = STATUS_INDEFINITE});
-    check((struct problem){.force = nothing,
-                           .slope = springs_slope,
-                           .wrong = 1,
-                           .setups = 1,
-                           .end = STATUS_NAN});
     return check_result();
 }

@@ -2,8 +2,6 @@
  * that neither a change without curvature nor one more than there is room for is learnt. */
 #include "models/mechanics/newton_memory.h"
 
-#include <string.h>
-
 #include "tests/check.h"
 
 enum { COUNT = 6 };

@@ -4,24 +4,19 @@
  */
 #include "models/mesh_flat.h"
 
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "models/mesh/mesh_irregular.h"
 #include "models/reader/pattern_file.h"
 #include "models/scene.h"
 #include "tests/scratch.h"
+#include "tests/text.h"
 
 static struct scene scene;
 
 static enum status read_text(const char *text, struct mesh_flat *flat, struct message *why)
 {
     const char *path = scratch_path("sheet.obj");
-    FILE *out = fopen(path, "w");
 
-    REQUIRE(out && fputs(text, out) >= 0 && fclose(out) == 0);
+    text_write(path, text);
     *flat = (struct mesh_flat){0};
     *why = (struct message){""};
     const enum status st =
@@ -92,8 +87,8 @@ static void test_bad(void)
 
     for (size_t n = 0; n < sizeof bad / sizeof *bad; n++) {
         CHECK(read_text(bad[n].text, &flat, &why) == STATUS_INPUT);
-        if (!CHECK(strstr(why.text, bad[n].sentence) && why.text[0] == ':'))
-            printf("%zu: '%s'\n", n, why.text);
+        CHECK_SAY(strstr(why.text, bad[n].sentence) && why.text[0] == ':', "%zu: '%s'", n,
+                  why.text);
         CHECK(!flat.at && !flat.triangle);
     }
 }

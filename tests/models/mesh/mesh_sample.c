@@ -3,8 +3,6 @@
  * differences. */
 #include "models/mesh/mesh.h"
 
-#include <math.h>
-
 #include "tests/check.h"
 
 enum { N = 6, M = 4 };

@@ -2,10 +2,9 @@
  * touch themselves, which do not pass through. */
 #include "models/metric/crossing.h"
 
-#include <stdint.h>
-
 #include "models/grid.h"
 #include "tests/check.h"
+#include "tests/noise.h"
 
 enum { N = 41, POINTS = N * N };
 static double xyz[POINTS][3];
@@ -111,15 +110,6 @@ static void comes_through(void)
     }
 }
 
-/* A number from 0 to 1; xorshift64* */
-static double random_unit(void)
-{
-    static uint64_t state = 20261127;
-
-    state ^= state >> 12, state ^= state << 25, state ^= state >> 27;
-    return (double)(state * 2685821657736338717u >> 11) * 0x1p-53;
-}
-
 /* Flaps that come through by 0.1 mm to 10 cm, askew and beyond the rim: each is found, and
  * but for one in a hundred its depth is right to a factor of two. */
 static void random_flaps(void)
@@ -128,10 +118,10 @@ static void random_flaps(void)
     int off = 0;
 
     for (int k = 0; k < FLAPS; k++) {
-        deep = pow(10, -4 + 3 * random_unit());
-        tilt = k % 2 ? 0 : .15 * random_unit();
+        deep = pow(10, -4 + 3 * noise_unit());
+        tilt = k % 2 ? 0 : .15 * noise_unit();
         extrude(flap);
-        const double aside = k % 3 ? .05 * random_unit() : 0;
+        const double aside = k % 3 ? .05 * noise_unit() : 0;
         for (int n = 0; n < POINTS; n++)
             xyz[n][1] += n % N > .55 * N ? aside * (n % N / (N - 1.) - .55) : 0;
         const bool meets = !tilt || aside * .45 < deep / tilt; /* else it is beside it */
@@ -139,8 +129,7 @@ static void random_flaps(void)
         off += meets && !(c.depth > deep / 2 && c.depth < deep * 2);
         CHECK((c.pairs > 0) == meets);
     }
-    if (!CHECK(off <= FLAPS / 100))
-        printf("%d of %d depths are off\n", off, FLAPS);
+    CHECK_SAY(off <= FLAPS / 100, "%d of %d depths are off", off, FLAPS);
 }
 
 static void touches(void)
@@ -150,8 +139,8 @@ static void touches(void)
     for (size_t n = 0; n < sizeof shape / sizeof *shape; n++) {
         extrude(shape[n]);
         const struct crossing c = measure(1e-6, true);
-        if (!CHECK(c.pairs == 0 && c.triangles == 0 && c.depth == 0))
-            printf("shape %zu: %ld pairs, %g m\n", n, c.pairs, c.depth);
+        CHECK_SAY(c.pairs == 0 && c.triangles == 0 && c.depth == 0,
+                  "shape %zu: %ld pairs, %g m", n, c.pairs, c.depth);
     }
 }
 

@@ -3,25 +3,17 @@
 #include "models/metric/intersection.h"
 
 #include <omp.h>
-#include <stdint.h>
 
 #include "models/grid.h"
 #include "models/metric/metric.h"
 #include "models/metric/triangle.h"
 #include "tests/check.h"
+#include "tests/noise.h"
 #include "tests/triangle_reference.h"
 
 enum { POINTS_MAX = 64 * 64 };
 static double xyz[POINTS_MAX][3];
 static struct intersection work;
-static uint64_t state = 20240607;
-
-/* [0, 1); xorshift64* */
-static double random_unit(void)
-{
-    state ^= state >> 12, state ^= state << 25, state ^= state >> 27;
-    return (double)(state * 2685821657736338717u >> 11) * 0x1p-53;
-}
 
 static long count(int n_u, int n_v)
 {
@@ -122,7 +114,7 @@ static void test_reference(void)
         long next = 0;
         for (int p = 0; p < N * M; p++)
             for (int c = 0; c < 3; c++) {
-                x[p][c] = (int)(random_unit() * (2 * size + 1)) - size;
+                x[p][c] = (int)(noise_unit() * (2 * size + 1)) - size;
                 if (spread && c < 2)
                     x[p][c] += spread * (c ? p / 5 : p % 5) * size;
                 if (n % 5 == 4 && c == 2)
@@ -153,9 +145,9 @@ static void crumple(int n_u, int n_v, double noise)
     for (int j = 0; j < n_v; j++)
         for (int i = 0; i < n_u; i++) {
             double *x = xyz[j * n_u + i];
-            x[0] = i + noise * (random_unit() - 0.5);
-            x[1] = j + noise * (random_unit() - 0.5);
-            x[2] = 4 * sin(0.5 * i) + noise * (random_unit() - 0.5);
+            x[0] = i + noise * (noise_unit() - 0.5);
+            x[1] = j + noise * (noise_unit() - 0.5);
+            x[2] = 4 * sin(0.5 * i) + noise * (noise_unit() - 0.5);
         }
 }
 

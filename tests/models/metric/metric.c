@@ -17,21 +17,19 @@
 /* Points that neither field has are beside the sheet; one that only one has is a fault. */
 static void test_rmse_beside(void)
 {
-    double *a = new_field(), *b = new_field();
+    static double a[COUNT], b[COUNT];
 
     for (int n = 0; n < 3 * GRID_POINTS; n++)
         a[n] = n < 3 * GRID_POINTS / 2 ? NAN : n, b[n] = a[n] + (n % 3 == 1 ? 0.13 : 0);
     CHECK_NEAR(metric_rmse(a, b), 0.13, 1e-9); /* n + 0.13 has 12 digits */
     a[3 * GRID_POINTS - 1] = NAN;
     CHECK(isnan(metric_rmse(a, b)));
-    free(a);
-    free(b);
 }
 
 static void test_rmse(void)
 {
     static const double unit[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    double *a = new_field(), *b = new_field();
+    static double a[COUNT], b[COUNT];
     struct scene scene;
 
     init_tilted(&scene);
@@ -60,7 +58,6 @@ static void test_rmse(void)
     b[COUNT - 1] = INFINITY;
     CHECK(isinf(metric_rmse(a, b)));
     scene_clear(&scene);
-    free(a), free(b);
 }
 
 static void test_stretch(void)
@@ -70,7 +67,7 @@ static void test_stretch(void)
     static const double turn[3][3] = {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}};
     static const double along_v[3][3] = {{1, 0, 0}, {0, 1.25, 0}, {0, 0, 1}};
     static const double shear[3][3] = {{1, 0.5, 0}, {0, 1, 0}, {0, 0, 1}};
-    double *xyz = new_field();
+    static double xyz[COUNT];
     struct scene scene;
 
     init_tilted(&scene);
@@ -105,7 +102,6 @@ static void test_stretch(void)
     xyz[7] = NAN;
     CHECK(isnan(metric_stretch(&scene, xyz)));
     scene_clear(&scene);
-    free(xyz);
 }
 
 /* The sheet rolled to a cylinder of radius R, of u, or stretched by 1 + a u^2 along u. */
@@ -128,7 +124,7 @@ static void test_spread_and_turn(void)
 {
     enum { N = 9 };
     static const double R = 0.7, a = 0.3, d = 10. / 99;
-    double *xyz = new_field();
+    static double xyz[COUNT];
     struct scene scene;
 
     REQUIRE(scene_init(&scene) == STATUS_OK);
@@ -147,13 +143,12 @@ static void test_spread_and_turn(void)
     xyz[3 * (GRID_U * 50 + 50)] = NAN;
     CHECK(isnan(metric_spread(&scene, xyz)));
     scene_clear(&scene);
-    free(xyz);
 }
 
 static void test_drop(void)
 {
     static const double unit[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    double *xyz = new_field();
+    static double xyz[COUNT];
     struct scene scene;
     struct scene_support edge = {.lo = {0, 0, 0}, .hi = {0, 1, 1}, .fix = FIX_XYZ};
     struct scene_support strip = {.lo = {0, 0, 0}, .hi = {0.5, 1, 1}, .fix = FIX_XYZ};
@@ -176,13 +171,13 @@ static void test_drop(void)
     xyz[COUNT - 3] = NAN;
     CHECK(isnan(metric_drop(&scene, xyz)));
     scene_clear(&scene);
-    free(xyz);
 }
 
 static void test_roughness(void)
 {
     static const double shear[3][3] = {{1, 0.5, 0.2}, {0.1, 1, -0.3}, {0, 0.7, 1}};
-    double *xyz = new_field(), radius = 0.25, kappa = 0.3;
+    static double xyz[COUNT];
+    double radius = 0.25, kappa = 0.3;
     struct scene scene;
 
     init_tilted(&scene);
@@ -240,13 +235,13 @@ static void test_roughness(void)
     CHECK(isnan(metric_roughness(&scene, xyz)));
     CHECK(!isnan(metric_inner_roughness(&scene, xyz)));
     scene_clear(&scene);
-    free(xyz);
 }
 
 static void test_unevenness(void)
 {
     const double waves = 3, turn = 2 * acos(-1), tall = 0.05;
-    double *xyz = new_field(), smooth;
+    static double xyz[COUNT];
+    double smooth;
     struct scene scene;
 
     init_tilted(&scene);
@@ -283,12 +278,11 @@ static void test_unevenness(void)
     xyz[3 * (50 * GRID_U + 50)] = NAN;
     CHECK(isnan(metric_unevenness(&scene, xyz)));
     scene_clear(&scene);
-    free(xyz);
 }
 
 static void test_penetration(void)
 {
-    double *xyz = new_field();
+    static double xyz[COUNT];
     struct scene scene;
     struct scene_obstacle obstacle[2] = {
         {.kind = OBSTACLE_PLANE, .point = {5, 5, 0.25}, .normal = {0, 0, 3}},
@@ -320,12 +314,11 @@ static void test_penetration(void)
     scene.obstacles = NULL; /* the array is ours */
     scene.obstacle_count = 0;
     scene_clear(&scene);
-    free(xyz);
 }
 
 static void test_blowup(void)
 {
-    double *xyz = new_field();
+    static double xyz[COUNT];
     struct scene scene;
     struct scene_support edge = {.lo = {0, 0, 0}, .hi = {0, 1, 1}, .fix = FIX_XYZ};
 
@@ -350,12 +343,12 @@ static void test_blowup(void)
     xyz[last] = INFINITY;
     CHECK(metric_blowup(&scene, 0, xyz) == STATUS_NAN);
     scene_clear(&scene);
-    free(xyz);
 }
 
 static void test_angle(void)
 {
-    double *xyz = new_field(), degree = atan(1) / 45;
+    static double xyz[COUNT];
+    double degree = atan(1) / 45;
     struct scene scene;
 
     REQUIRE(scene_init(&scene) == STATUS_OK);
@@ -370,7 +363,6 @@ static void test_angle(void)
     xyz[3 * (49 * GRID_U)] = NAN;
     CHECK(isnan(metric_angle(&scene, xyz)));
     scene_clear(&scene);
-    free(xyz);
 }
 
 int main(void)

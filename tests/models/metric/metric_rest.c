@@ -137,9 +137,9 @@ static void test_highest(void)
         scene_normal(&s, w);
         for (int c = 0; c < 3; c++)
             down[c] = -cases[n].sign * (cases[n].along == 1 ? s.axis_u[c] : w[c]);
-        if (!CHECK_NEAR(metric_rest_highest(&s, cases[n].lo, cases[n].hi, down),
-                        cases[n].height, TOL_POINT))
-            printf("  case %zu\n", n);
+        SAY_UNLESS(CHECK_NEAR(metric_rest_highest(&s, cases[n].lo, cases[n].hi, down),
+                              cases[n].height, TOL_POINT),
+                   "case %zu", n);
     }
     scene_clear(&s);
 }

@@ -56,7 +56,8 @@ static void measure(const struct scene *scene, const double *xyz, double number[
 static void places_do_not_count(void)
 {
     const double R = 0.2;
-    double *xyz = new_field(), here[NUMBERS], there[NUMBERS];
+    static double xyz[COUNT];
+    double here[NUMBERS], there[NUMBERS];
     struct scene scene;
 
     init_sheets(&scene, false);
@@ -81,7 +82,6 @@ static void places_do_not_count(void)
         xyz[3 * n] += n % GRID_U > 65 ? 0.5 * (xyz[3 * n] + 5) : 0;
     CHECK_NEAR(metric_stretch(&scene, xyz), 1.5, TOL_STRETCH);
     scene_clear(&scene);
-    free(xyz);
 }
 
 /* Highest, lowest, and what is held, of all sheets; the angle of the first. */
@@ -89,7 +89,7 @@ static void heights(void)
 {
     const struct scene_support held = {
         .lo = {33 / 99., 0, 0}, .hi = {33 / 99., 1, 1}, .fix = FIX_XYZ};
-    double *xyz = new_field();
+    static double xyz[COUNT];
     struct scene scene;
 
     init_sheets(&scene, true);
@@ -101,14 +101,13 @@ static void heights(void)
     REQUIRE(scene_add_support(&scene, &held) == STATUS_OK); /* the second's edge s = 0 */
     CHECK_NEAR(metric_drop(&scene, xyz), 1 / 0.7, 1e-12);
     scene_clear(&scene);
-    free(xyz);
 }
 
 /* A sheet is lost when it is far from its own place, though it is near another's; without
  * gravity none is carried. */
 static void each_has_its_place(void)
 {
-    double *xyz = new_field();
+    static double xyz[COUNT];
     struct scene scene;
 
     init_sheets(&scene, true);
@@ -119,7 +118,6 @@ static void each_has_its_place(void)
             xyz[3 * n] -= 7, xyz[3 * n + 1] += 10;
     CHECK(metric_blowup(&scene, 0, xyz) == STATUS_ESCAPED);
     scene_clear(&scene);
-    free(xyz);
 }
 
 int main(void)

@@ -3,22 +3,19 @@
 #include "models/metric/triangle.h"
 
 #include <float.h>
-#include <stdint.h>
 
 #include "models/metric/predicate.h"
 #include "tests/check.h"
+#include "tests/noise.h"
 #include "tests/triangle_reference.h"
 
 /* One rounding. */
 #define HALF_ULP (0.5 * DBL_EPSILON)
 
-static uint64_t state = 20240607;
-
-/* 0 .. n - 1; xorshift64* */
+/* 0 .. n - 1 */
 static int random_below(int n)
 {
-    state ^= state >> 12, state ^= state << 25, state ^= state >> 27;
-    return (int)((state * 2685821657736338717u >> 33) % n);
+    return (int)((noise_next() >> 33) % n);
 }
 
 static double random_integer(double size)

@@ -94,12 +94,11 @@ static void check_mesh(const char *name, bool met)
 {
     struct scene s;
     struct mesh mesh;
-    struct message why;
     const struct discretization d = {
         .points = {EACH, EACH, 1}, .mesh = (char *)name, .seed = 3};
 
     REQUIRE(scene_init(&s) == STATUS_OK);
-    REQUIRE(mesh_make(&mesh, &s, &d, MESH_NO_NODES, &why) == STATUS_OK);
+    REQUIRE(mesh_make(&mesh, &s, &d, MESH_NO_NODES, NULL) == STATUS_OK);
     double *factor = malloc(2 * (size_t)mesh.edges * sizeof *factor),
            *usual = factor + mesh.edges;
     double off[2] = {0};

@@ -32,13 +32,12 @@ static void check_plate(double poisson)
 {
     static const struct model model = {.name = "net"};
     const struct discretization d = {.model = &model, .points = {ROWS, COLUMNS, 1}};
-    struct message why;
     struct scene s;
     struct net net;
 
     REQUIRE(scene_init(&s) == STATUS_OK);
     s.length = LENGTH, s.width = WIDTH, s.poisson = poisson;
-    REQUIRE(net_init(&net, &s, &d, &why) == STATUS_OK);
+    REQUIRE(net_init(&net, &s, &d, NULL) == STATUS_OK);
     const double B = scene_bending_stiffness(&s), *cell = net.mesh.cell,
                  beam = B * (1 - poisson * poisson) / 2 * BEND * BEND,
                  along = (LENGTH - cell[0]) * WIDTH,

@@ -8,6 +8,7 @@
 
 #include "models/reader/scene_file.h"
 #include "tests/scratch.h"
+#include "tests/text.h"
 
 #define FOLDER SOURCE_DIR "/tests/bad_scenes/"
 
@@ -33,9 +34,8 @@ static void check_refusal(const char *what, enum status st, enum status want_st,
     fine = fine && length > strlen(beginning) + 5 && length < sizeof why->text - 1;
     for (size_t i = 0; i < length; i++)
         fine = fine && (unsigned char)why->text[i] >= ' ';
-    if (!CHECK(fine))
-        printf("  %s: wanted '%s...', got status %d '%s'\n", what, beginning, st,
-               why->text);
+    CHECK_SAY(fine, "%s: wanted '%s...', got status %d '%s'", what, beginning, st,
+              why->text);
 }
 
 static enum status read_scene(const char *path, struct scene *scene, struct message *why)
@@ -236,7 +236,6 @@ static void check_files(void)
     struct scene scene;
     struct message why = {""};
     enum status st;
-    FILE *file;
 
     st = read_scene(scratch, &scene, &why);
     check_refusal("directory", st, STATUS_FILE, &scene, &why, scratch);
@@ -250,9 +249,7 @@ static void check_files(void)
 
     /* Names that would break a line or a sentence. */
     path = scratch_path("a\nb.yaml");
-    file = fopen(path, "w");
-    REQUIRE(file);
-    fclose(file);
+    text_write(path, "");
     st = read_scene(path, &scene, &why);
     check_refusal("line break", st, STATUS_INPUT, &scene, &why,
                   scratch_path("a?b.yaml:1: "));

@@ -3,23 +3,13 @@
  * sentence.) */
 #include "models/reader/csv.h"
 
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-
 #include "bench/experiment/judge.h"
 #include "bench/experiment/kept.h"
 #include "bench/data/printer.h"
 #include "tests/scratch.h"
+#include "tests/text.h"
 
 static const char path[] = "table.csv";
-
-static void put(const char *text, size_t size)
-{
-    FILE *file = fopen(path, "wb");
-
-    REQUIRE(file && fwrite(text, 1, size, file) == size && fclose(file) == 0);
-}
 
 static void check_tables(void)
 {
@@ -28,7 +18,7 @@ static void check_tables(void)
     struct csv csv = {0};
     struct message why = {""};
 
-    put(text, sizeof text - 1);
+    text_write(path, text);
     REQUIRE(csv_read(path, &csv, &why) == STATUS_OK && csv.count == 2);
     const struct csv_table *t = &csv.table[0], *u = &csv.table[1];
     CHECK(t->columns == 2 && t->rows == 2 && u->columns == 1 && u->rows == 2);

@@ -3,7 +3,6 @@
  * EVERY moves for a few steps, and then is finite or has died of a reason.
  *   mutated_material [COUNT] */
 #include <stdint.h>
-#include <string.h>
 
 #include "models/reader/scene_file.h"
 #include "tests/opened_run.h"
@@ -94,8 +93,7 @@ static void check_sentence(const char *text, enum status st, const struct messag
 
     for (const char *c = why->text; *c; c++)
         fine = fine && (unsigned char)*c >= ' ';
-    if (!CHECK(fine))
-        printf("  %s: status %d, '%s'\n", text, st, why->text);
+    CHECK_SAY(fine, "%s: status %d, '%s'", text, st, why->text);
 }
 
 /* Tells whether moduli have an energy above 0 in every strain. */

@@ -168,10 +168,8 @@ static void check_states(enum kind kind, int p, int n, int m, double bend)
         const size_t count = solve(&s, k, 3, lambda);
         for (int t = 0; t < 6; t++)
             rigid = fmax(rigid, fabs(lambda[t]) / lambda[count - 1]);
-        bool good = CHECK_NEAR(rigid, 0, ZERO);
-        good &= CHECK(lambda[6] > LEAST * bend);
-        if (!good)
-            printf("%s, degree %d, %d x %d spans, %s: rigid %.1e, lowest %.3g of a bend\n",
+        SAY_UNLESS(CHECK_NEAR(rigid, 0, ZERO) && CHECK(lambda[6] > LEAST * bend),
+                   "%s, degree %d, %d x %d spans, %s: rigid %.1e, lowest %.3g of a bend",
                    kind == SOLID ? "solid" : "shell", p, n, m, state_name[k], rigid,
                    lambda[6] / bend);
     }
@@ -192,9 +190,8 @@ static void check_in_plane(int p, int n, int m)
         const size_t count = solve(&s, REST, 2, lambda[kind]);
         for (size_t t = RIGID; t < count; t++)
             least = fmin(least, lambda[kind][t] / lambda[UNCURED][t]);
-        if (!CHECK(least > want))
-            printf("degree %d, %d x %d spans, in the plane: %s %.3g\n", p, n, m,
-                   kind == SOLID ? "solid" : "shell", least);
+        CHECK_SAY(least > want, "degree %d, %d x %d spans, in the plane: %s %.3g", p, n, m,
+                  kind == SOLID ? "solid" : "shell", least);
         clear(&s);
     }
 }

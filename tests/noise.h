@@ -5,13 +5,13 @@
 #include <math.h>
 #include <stdint.h>
 
-/* In (-1, 1), spread evenly: neighbours are a golden section apart. */
+/* This is in (-1, 1), spread evenly: neighbours are a golden section apart. */
 static inline double noise(int n)
 {
     return 2 * fmod((n + 1) * 0.6180339887498949, 1) - 1;
 }
 
-/* In [-1, 1), without a relation between neighbours. */
+/* This is in [-1, 1), and neighbours have no relation. */
 static inline double noise_at(int n)
 {
     const double x = sin(12.9898 * n + 1) * 43758.5453;
@@ -19,7 +19,7 @@ static inline double noise_at(int n)
     return 2 * (x - floor(x)) - 1;
 }
 
-/* The next of xorshift64*. */
+/* Returns the next number of xorshift64*. */
 static inline uint64_t noise_next(void)
 {
     static uint64_t state = 20261127;
@@ -28,7 +28,7 @@ static inline uint64_t noise_next(void)
     return state * 2685821657736338717u;
 }
 
-/* In [0, 1). */
+/* Returns a number in [0, 1). */
 static inline double noise_unit(void)
 {
     return (double)(noise_next() >> 11) * 0x1p-53;

@@ -16,7 +16,7 @@ static inline void text_write(const char *path, const char *text)
     text_put(path, text, strlen(text));
 }
 
-/* Any blanks and line ends as one blank. */
+/* Makes one blank of any blanks and line ends. */
 static inline char *text_squeeze(char *text)
 {
     char *to = text;

@@ -25,7 +25,7 @@ static double random_about_0(void)
     return 2 * noise_unit() - 1;
 }
 
-/* What a test looks at. */
+/* A test looks at this. */
 static struct contact_surface surface;
 static struct contact_search search;
 
